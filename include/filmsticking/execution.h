@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <functional>
+
+#include "filmsticking/types.h"
+
+namespace filmsticking {
+
+/// The caller's hand on a running reconstruction. All members are optional.
+struct Execution {
+  /// Called from the calling thread with the share done, 0 to 1 and never falling, and the room at work.
+  std::function<void(double share, const char* room)> progress;
+
+  /// Set it from any thread: the reconstruction ends soon with Status::Cancelled.
+  const std::atomic<bool>* cancel = nullptr;
+
+  /// Called with the film after every step (0: the initial surface), in the caller's coordinates.
+  std::function<void(int step, const Mesh& film)> on_step;
+};
+
+}  // namespace filmsticking

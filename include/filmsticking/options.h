@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "filmsticking/types.h"
+
+namespace filmsticking {
+
+/// The closed surface that the film starts from (paper, section 3).
+enum class InitialSurface {
+  Sphere,  ///< the bounding sphere: the paper's choice
+  Wrap,    ///< a coarse alpha wrap of the points (CGAL)
+  Carve,   ///< the Delaunay tetrahedra that no ball of a few spacings reaches from outside
+  Given,   ///< `Options::guiding_surface`
+};
+
+/// How dangling plates are removed and the topology is corrected (paper, section 5).
+enum class FieldMethod {
+  None,     ///< the film is the result
+  Poisson,  ///< Poisson's equation on the film's normals: the paper's choice
+  Sculpt,   ///< winding number of the film, then a minimum cut through the Delaunay tetrahedra
+};
+
+/// Which ring of triangles a site keeps when it owns several regions of the film (paper, section 4.4).
+enum class RingChoice {
+  Smooth,   ///< the ring with the smallest variation of normals: the paper's choice
+  Nearest,  ///< the ring of the region nearest to the site: RD (Wang et al. 2022)
+};
+
+/// Everything that can be chosen. The defaults need no tuning; `paper()` runs the paper's own pipeline.
+struct Options {
+  InitialSurface initial_surface = InitialSurface::Carve;
+  FieldMethod field = FieldMethod::Sculpt;
+  RingChoice ring = RingChoice::Smooth;
+
+  /// Virtual sites: a number (0: none), or kAdaptiveVirtualSites for one per local scale. They are used
+  /// with the sphere and the wrap; a carved or given surface needs none unless a number is asked for.
+  static constexpr int kAdaptiveVirtualSites = -1;
+  int virtual_sites = kAdaptiveVirtualSites;
+
+  /// Attract stalled sites by weights (restricted power diagram); false: Voronoi only.
+  bool weights = true;
+
+  /// Put the sites that the film does not reach into its nearest face where that is clean.
+  bool insert_leftover = true;
+
+  /// Film steps allowed before the first field; at least 1.
+  int max_steps = 60;
+
+  /// Rounds of field and film; they end sooner when nothing changes. At least 1 unless `field` is None.
+  int max_rounds = 6;
+
+  /// Threads; 0: all that the machine has. The result is the same for every number.
+  int threads = 0;
+
+  /// A closed oriented 2-manifold, for InitialSurface::Given.
+  std::shared_ptr<const Mesh> guiding_surface;
+
+  /// The paper's pipeline: sphere, 1000 virtual sites, weights, one Poisson round, nothing inserted.
+  static Options paper();
+};
+
+}  // namespace filmsticking

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The library's entry: points in, closed interpolating mesh out.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "filmsticking/execution.h"
+#include "filmsticking/options.h"
+#include "filmsticking/report.h"
+#include "filmsticking/status.h"
+#include "filmsticking/types.h"
+
+namespace filmsticking {
+
+/// The outcome of reconstruct().
+struct Result {
+  Status status = Status::InternalError;
+  std::string message;                 ///< one sentence about a failure; empty when `status` is Ok
+  std::vector<std::int32_t> vertices;  ///< vertex k is input point vertices[k]; strictly increasing
+  std::vector<Triangle> triangles;     ///< indices into `vertices`, counter-clockwise seen from outside
+  Report report;
+};
+
+/// Reconstructs a surface through `points` by Filmsticking++ (Wang et al., arXiv 2602.11433).
+///
+/// Guarantees, for any input:
+///  1. Closed: every edge of the result has exactly two faces.
+///  2. Manifold: the faces around every vertex form one ring; no vertex, edge or face stands twice.
+///  3. Oriented: neighbouring faces agree, and every outermost component encloses positive volume.
+///  4. Interpolating: vertices are input points, named by index; no position is computed.
+///  5. Deterministic: the same points give the same result, for any number of threads.
+///  6. A failure is a status and a sentence with an empty mesh; nothing is thrown.
+///
+/// `points`: any number, any order, in any unit; NaN, infinite and repeated points are skipped.
+/// Needs about 2 KB of memory a point.
+Result reconstruct(const std::vector<Point>& points, const Options& options = {},
+                   const Execution& execution = {}) noexcept;
+
+}  // namespace filmsticking
