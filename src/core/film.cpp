@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "film.h"
+
+#include <algorithm>
+#include <chrono>
+#include <unordered_set>
+
+#include "attraction_weights.h"
+#include "dual_complex.h"
+#include "restricted_power_diagram.h"
+#include "triangle_adjacency.h"
+
+namespace filmsticking {
+namespace {
+
+// A film over sites from triangles of sites; triangles in a canonical order.
+GuidingSurface film_of_sites(std::vector<Corners> triangles, const std::vector<Vec3>& sites) {
+  GuidingSurface film;
+  std::vector<Index> vertex(sites.size(), kNone);
+  for (const Corners& t : triangles)
+    for (Index s : t) vertex[s] = 0;
+  for (std::size_t s = 0; s < sites.size(); ++s)
+    if (vertex[s] != kNone) {
+      vertex[s] = static_cast<Index>(film.positions.size());
+      film.positions.push_back(sites[s]);
+      film.site.push_back(static_cast<Index>(s));
+    }
+  for (Corners& t : triangles) {
+    for (Index& s : t) s = vertex[s];
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  }
+  std::sort(triangles.begin(), triangles.end());
+  film.triangles = std::move(triangles);
+  return film;
+}
+
+std::uint64_t connectivity_hash(const GuidingSurface& film) {
+  std::uint64_t h = 1469598103934665603ULL;
+  for (const Corners& t : film.triangles)
+    for (Index v : t) h = (h ^ static_cast<std::uint64_t>(film.site[v] + 1)) * 1099511628211ULL, h ^= h >> 29;
+  return h;
+}
+
+}  // namespace
+
+GuidingSurface film_step(const GuidingSurface& film, const PowerDiagram& diagram, RingChoice ring,
+                         RepairCounts& counts) {
+  if (diagram.any_site == kNone || film.triangles.empty()) return {};
+  std::vector<Index> twin = half_edge_twins(film.triangles, static_cast<Index>(film.positions.size()));
+  const RestrictedPowerDiagram restricted = restrict_power_diagram(film, std::move(twin), diagram);
+  const HalfEdgeComplex dual = dual_complex(film, restricted, diagram);
+  return film_of_sites(manifold_repair(dual, diagram.position, ring, counts), diagram.position);
+}
+
+std::int64_t attracted_points(const GuidingSurface& film, std::size_t points) {
+  return std::count_if(film.site.begin(), film.site.end(),
+                       [&](Index s) { return s != kNone && static_cast<std::size_t>(s) < points; });
+}
+
+GuidingSurface evolve_film(GuidingSurface film, const std::vector<Vec3>& sites, std::size_t points,
+                           const PowerDiagram& voronoi, const FilmOptions& options) {
+  // With virtual sites, a triangulation of their own that they can leave; without, the points' diagram.
+  std::unique_ptr<DelaunayTriangulation> triangulation;
+  PowerDiagram with_virtual;
+  std::vector<char> present(sites.size(), 1);
+  std::int64_t virtual_left = static_cast<std::int64_t>(sites.size() - points);
+  if (virtual_left > 0) {
+    triangulation = std::make_unique<DelaunayTriangulation>(sites);
+    with_virtual = triangulation->voronoi();
+  }
+  // Every film met so far: coming back to one means that nothing new will happen.
+  std::unordered_set<std::uint64_t> seen;
+  bool stalled = false;
+  std::int64_t best = -1, since_best = 0;
+  for (int step = 0; step < options.max_steps; ++step) {
+    const auto start = std::chrono::steady_clock::now();
+    StepRecord record;
+    record.round = options.round;
+    const PowerDiagram* diagram = virtual_left > 0 ? &with_virtual : &voronoi;
+    PowerDiagram weighted;
+    if (stalled) {
+      std::vector<char> on(points, 0);
+      for (Index s : film.site)
+        if (s != kNone && static_cast<std::size_t>(s) < points) on[s] = 1;
+      std::vector<Index> off;
+      for (std::size_t s = 0; s < points; ++s)
+        if (!on[s]) off.push_back(static_cast<Index>(s));
+      std::vector<double> weights;
+      record.weighted = static_cast<std::int64_t>(attraction_weights(film, sites, off, weights));
+      weighted = weighted_power_diagram(sites, weights, present);
+      diagram = &weighted;
+    }
+    RepairCounts counts;
+    GuidingSurface next = film_step(film, *diagram, options.ring, counts);
+    if (next.triangles.empty()) break;
+
+    bool left = false;
+    for (Index s : next.site)
+      if (s != kNone && static_cast<std::size_t>(s) >= points && present[s]) {
+        present[s] = 0, left = true, --virtual_left;
+        triangulation->remove(s);
+      }
+    if (left && virtual_left > 0) with_virtual = triangulation->voronoi();
+    film = std::move(next);
+    record.attracted = attracted_points(film, points);
+    record.virtual_left = virtual_left;
+    record.regions_repaired = counts.total();
+    record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (options.after_step && !options.after_step(record, film)) break;
+
+    const bool all_on = record.attracted == static_cast<std::int64_t>(points);
+    const bool repeated = !seen.insert(connectivity_hash(film)).second;
+    since_best = record.attracted > best ? 0 : since_best + 1;
+    best = std::max(best, record.attracted);
+    // A virtual site that left changes the next step even where the film looks the same.
+    if (all_on && virtual_left > 0) {
+      // Once all points are on the film, the remaining virtual sites go (paper, section 4.3).
+      virtual_left = 0;
+      std::fill(present.begin() + static_cast<std::ptrdiff_t>(points), present.end(), 0);
+      seen.clear();
+      continue;
+    }
+    if (left) continue;
+    const bool stuck = repeated || since_best >= 5;
+    if (!stuck) {
+      // After a weighted step, plain steps again: weights only overcome a stall.
+      stalled = false;
+      continue;
+    }
+    if (!options.weights || all_on || stalled) break;
+    stalled = true;
+    seen.clear();
+    since_best = 0;
+  }
+  return film;
+}
+
+}  // namespace filmsticking

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "nearest.h"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace filmsticking {
+
+// A kd-tree over point ids, split at the median along the widest side; leaves of a few points.
+struct PointTree::Impl {
+  struct Node {
+    Vec3 lo, hi;
+    Index begin, end, left, right;  // left == kNone: a leaf
+  };
+  const std::vector<Vec3> points;
+  std::vector<Index> id;
+  std::vector<Node> nodes;
+
+  explicit Impl(const std::vector<Vec3>& p) : points(p), id(p.size()) {
+    std::iota(id.begin(), id.end(), 0);
+    if (!id.empty()) build(0, static_cast<Index>(id.size()));
+  }
+
+  Index build(Index begin, Index end) {
+    const Index n = static_cast<Index>(nodes.size());
+    nodes.push_back({points[id[begin]], points[id[begin]], begin, end, kNone, kNone});
+    for (Index i = begin; i < end; ++i) {
+      nodes[n].lo = nodes[n].lo.cwiseMin(points[id[i]]);
+      nodes[n].hi = nodes[n].hi.cwiseMax(points[id[i]]);
+    }
+    if (end - begin <= 8) return n;
+    Index axis;
+    (nodes[n].hi - nodes[n].lo).maxCoeff(&axis);
+    const Index middle = begin + (end - begin) / 2;
+    std::nth_element(id.begin() + begin, id.begin() + middle, id.begin() + end, [&](Index a, Index b) {
+      return points[a][axis] != points[b][axis] ? points[a][axis] < points[b][axis] : a < b;
+    });
+    const Index left = build(begin, middle), right = build(middle, end);
+    nodes[n].left = left, nodes[n].right = right;
+    return n;
+  }
+
+  double box_distance2(Index n, const Vec3& x) const {
+    return (nodes[n].lo - x).cwiseMax(x - nodes[n].hi).cwiseMax(0).squaredNorm();
+  }
+
+  // `found`: a heap of at most k, the farthest first.
+  using Found = std::vector<std::pair<double, Index>>;
+  void search(Index n, const Vec3& x, std::size_t k, Found& found) const {
+    const Node& node = nodes[n];
+    if (node.left == kNone) {
+      for (Index i = node.begin; i < node.end; ++i) {
+        const std::pair<double, Index> candidate{(points[id[i]] - x).squaredNorm(), id[i]};
+        if (found.size() == k && !(candidate < found.front())) continue;
+        if (found.size() == k) std::pop_heap(found.begin(), found.end()), found.pop_back();
+        found.push_back(candidate), std::push_heap(found.begin(), found.end());
+      }
+      return;
+    }
+    Index near = node.left, far = node.right;
+    double dn = box_distance2(near, x), df = box_distance2(far, x);
+    if (df < dn) std::swap(near, far), std::swap(dn, df);
+    if (found.size() < k || dn <= found.front().first) search(near, x, k, found);
+    if (found.size() < k || df <= found.front().first) search(far, x, k, found);
+  }
+};
+
+PointTree::PointTree(const std::vector<Vec3>& points) : impl_(new Impl(points)) {}
+PointTree::~PointTree() = default;
+
+Index PointTree::nearest(const Vec3& x, double* distance2) const {
+  if (impl_->nodes.empty()) return kNone;
+  Impl::Found found;
+  impl_->search(0, x, 1, found);
+  if (distance2 != nullptr) *distance2 = found.front().first;
+  return found.front().second;
+}
+
+std::vector<Index> PointTree::nearest(const Vec3& x, std::size_t k) const {
+  std::vector<Index> ids;
+  if (impl_->nodes.empty() || k == 0) return ids;
+  Impl::Found found;
+  impl_->search(0, x, k, found);
+  std::sort(found.begin(), found.end());
+  for (const auto& f : found) ids.push_back(f.second);
+  return ids;
+}
+
+namespace {
+using Kernel = CGAL::Simple_cartesian<double>;
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, std::vector<Kernel::Triangle_3>::const_iterator>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+Kernel::Point_3 cgal_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+}  // namespace
+
+struct SurfaceTree::Impl {
+  std::vector<Kernel::Triangle_3> triangles;
+  Tree tree;
+};
+
+SurfaceTree::SurfaceTree(const GuidingSurface& surface) : impl_(new Impl) {
+  for (const Corners& t : surface.triangles)
+    impl_->triangles.emplace_back(cgal_point(surface.positions[t[0]]), cgal_point(surface.positions[t[1]]),
+                                  cgal_point(surface.positions[t[2]]));
+  impl_->tree.insert(impl_->triangles.cbegin(), impl_->triangles.cend());
+  impl_->tree.build();
+}
+SurfaceTree::~SurfaceTree() = default;
+
+SurfaceTree::Hit SurfaceTree::nearest(const Vec3& x) const {
+  const auto hit = impl_->tree.closest_point_and_primitive(cgal_point(x));
+  return {Vec3(hit.first.x(), hit.first.y(), hit.first.z()),
+          static_cast<Index>(hit.second - impl_->triangles.cbegin())};
+}
+
+}  // namespace filmsticking

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "power_diagram.h"
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Delaunay_triangulation_cell_base_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Regular_triangulation_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace filmsticking {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Vertex = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>;
+using Cell = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
+using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
+
+using RegularVertex =
+    CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel, CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
+using RegularCell = CGAL::Regular_triangulation_cell_base_3<Kernel>;
+using Regular =
+    CGAL::Regular_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<RegularVertex, RegularCell>>;
+
+Kernel::Point_3 cgal_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+
+// Neighbours from the edges of a triangulation, sorted: nothing depends on the triangulation's own order.
+template <class Triangulation>
+void collect_neighbours(const Triangulation& triangulation, PowerDiagram& diagram) {
+  std::vector<std::pair<Index, Index>> edges;
+  edges.reserve(8 * triangulation.number_of_vertices());
+  for (auto e = triangulation.finite_edges_begin(); e != triangulation.finite_edges_end(); ++e)
+    edges.emplace_back(e->first->vertex(e->second)->info(), e->first->vertex(e->third)->info());
+  diagram.offset.assign(diagram.position.size() + 1, 0);
+  for (const auto& [a, b] : edges) ++diagram.offset[a + 1], ++diagram.offset[b + 1];
+  for (std::size_t i = 1; i < diagram.offset.size(); ++i) diagram.offset[i] += diagram.offset[i - 1];
+  diagram.neighbour.resize(2 * edges.size());
+  std::vector<Index> fill(diagram.offset.begin(), diagram.offset.end() - 1);
+  for (const auto& [a, b] : edges) diagram.neighbour[fill[a]++] = b, diagram.neighbour[fill[b]++] = a;
+  for (std::size_t i = 0; i + 1 < diagram.offset.size(); ++i) {
+    std::sort(diagram.neighbour.begin() + diagram.offset[i], diagram.neighbour.begin() + diagram.offset[i + 1]);
+    if (diagram.any_site == kNone && diagram.has_cell(static_cast<Index>(i))) diagram.any_site = static_cast<Index>(i);
+  }
+}
+
+}  // namespace
+
+Index PowerDiagram::owner(const Vec3& x, Index hint) const {
+  Index best = hint != kNone && has_cell(hint) ? hint : any_site;
+  if (best == kNone) return kNone;
+  double least = power(best, x);
+  // In a Delaunay or regular triangulation a site without a better neighbour is the best. The power falls
+  // with every move, so this ends.
+  for (bool moved = true; moved;) {
+    moved = false;
+    const Index from = best;
+    for (Index k = offset[from]; k < offset[from + 1]; ++k) {
+      const double p = power(neighbour[k], x);
+      if (p < least) least = p, best = neighbour[k], moved = true;
+    }
+  }
+  return best;
+}
+
+struct DelaunayTriangulation::Impl {
+  std::vector<Vec3> sites;
+  Delaunay triangulation;
+  std::vector<Delaunay::Vertex_handle> vertex;
+};
+
+DelaunayTriangulation::DelaunayTriangulation(std::vector<Vec3> sites) : impl_(new Impl) {
+  impl_->sites = std::move(sites);
+  std::vector<std::pair<Kernel::Point_3, Index>> points;
+  points.reserve(impl_->sites.size());
+  for (const Vec3& p : impl_->sites) points.emplace_back(cgal_point(p), static_cast<Index>(points.size()));
+  impl_->triangulation.insert(points.begin(), points.end());
+  impl_->vertex.resize(impl_->sites.size());
+  for (auto v : impl_->triangulation.finite_vertex_handles()) impl_->vertex[v->info()] = v;
+}
+
+DelaunayTriangulation::~DelaunayTriangulation() = default;
+
+int DelaunayTriangulation::dimension() const { return impl_->triangulation.dimension(); }
+
+void DelaunayTriangulation::remove(Index site) {
+  auto& v = impl_->vertex[site];
+  if (v == nullptr) return;
+  impl_->triangulation.remove(v);
+  v = nullptr;
+}
+
+PowerDiagram DelaunayTriangulation::voronoi() const {
+  PowerDiagram diagram;
+  diagram.position = impl_->sites;
+  collect_neighbours(impl_->triangulation, diagram);
+  return diagram;
+}
+
+Tetrahedra DelaunayTriangulation::tetrahedra() const {
+  Tetrahedra tets;
+  CGAL::Unique_hash_map<Delaunay::Cell_handle, Index> index;
+  tets.corners.reserve(impl_->triangulation.number_of_cells());
+  for (auto c : impl_->triangulation.all_cell_handles()) {
+    index[c] = static_cast<Index>(tets.corners.size());
+    std::array<Index, 4> corners;
+    for (int k = 0; k < 4; ++k)
+      corners[k] = impl_->triangulation.is_infinite(c->vertex(k)) ? kNone : c->vertex(k)->info();
+    tets.corners.push_back(corners);
+  }
+  tets.neighbours.reserve(tets.corners.size());
+  for (auto c : impl_->triangulation.all_cell_handles())
+    tets.neighbours.push_back({index[c->neighbor(0)], index[c->neighbor(1)], index[c->neighbor(2)],
+                               index[c->neighbor(3)]});
+  return tets;
+}
+
+PowerDiagram weighted_power_diagram(const std::vector<Vec3>& sites, const std::vector<double>& weights,
+                                    const std::vector<char>& present) {
+  std::vector<std::pair<Regular::Weighted_point, Index>> points;
+  points.reserve(sites.size());
+  for (std::size_t i = 0; i < sites.size(); ++i)
+    if (present[i]) points.emplace_back(Regular::Weighted_point(cgal_point(sites[i]), weights[i]), static_cast<Index>(i));
+  Regular triangulation;
+  triangulation.insert(points.begin(), points.end());
+  PowerDiagram diagram;
+  diagram.position = sites;
+  diagram.weight = weights;
+  collect_neighbours(triangulation, diagram);
+  return diagram;
+}
+
+}  // namespace filmsticking

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "guiding_surface.h"
+#include "power_diagram.h"
+
+namespace filmsticking {
+
+/// The power cells that the edges of a guiding surface run through: the 1-skeleton of the restricted power
+/// diagram (paper, section 4.1). Each edge is cut once, for both of its faces, so that what the faces make
+/// of it always fits together, whatever rounding did.
+struct RestrictedPowerDiagram {
+  std::vector<Index> twin;      ///< of every half-edge of the surface
+  std::vector<Index> edge;      ///< per half-edge: its undirected edge
+  std::vector<char> forward;    ///< per half-edge: does it run along the edge's direction?
+  std::vector<Index> offset;    ///< the cells along edge e: cell[offset[e] .. offset[e+1]), at least one,
+  std::vector<Index> cell;      ///< neighbouring ones distinct
+
+  /// Crossing i of edge e, between its cells i and i+1, has this number.
+  Index crossing(Index e, Index i) const { return offset[e] + i; }
+};
+
+/// Cuts every edge of `surface`, a closed manifold, by the cells of `diagram`, which has at least one.
+/// `twin` is half_edge_twins() of the surface.
+RestrictedPowerDiagram restrict_power_diagram(const GuidingSurface& surface, std::vector<Index> twin,
+                                              const PowerDiagram& diagram);
+
+}  // namespace filmsticking

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "filmsticking/types.h"
+#include "vec.h"
+
+namespace filmsticking {
+
+/// The distinct finite points, in a box of longest side 1 around the origin and along a space-filling curve.
+struct SiteSet {
+  std::vector<Vec3> positions;       ///< recentred and scaled
+  std::vector<Vec3> perturbed;       ///< the same moved by at most kPerturbation: no four on a circle
+  std::vector<std::int32_t> input;   ///< site i is input point input[i]: of equal points the first
+  std::int64_t non_finite = 0;
+  std::int64_t duplicates = 0;
+  Vec3 centre = Vec3::Zero();        ///< of the input's box, in the caller's unit
+  double side = 1;                   ///< longest side of the input's box, in the caller's unit; > 0
+
+  std::size_t size() const { return positions.size(); }
+  Vec3 to_unit(const Point& p) const { return (Vec3(p[0], p[1], p[2]) - centre) / side; }
+  Point to_input(const Vec3& p) const {
+    const Vec3 q = p * side + centre;
+    return {q.x(), q.y(), q.z()};
+  }
+};
+
+/// Half the width of the cube that a perturbed site stays in, in units of the box. Grids, voxel filters and
+/// CAD vertices make cospherical sites the rule; a float has 6e-8 of the box left to say, so this changes
+/// nothing that was measured.
+constexpr double kPerturbation = 2e-8;
+
+/// Never fails; fewer sites than points, perhaps none. The order and the perturbation depend on the
+/// coordinates alone, so that the order of the input does not matter.
+SiteSet make_site_set(const std::vector<Point>& points);
+
+}  // namespace filmsticking

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "vec.h"
+
+namespace filmsticking {
+
+/// Half-edge 3t+k runs from corner k of triangle t to corner k+1.
+inline Index next_in_face(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+inline Index prev_in_face(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+
+/// What is wrong with a triangle list, if anything.
+struct ManifoldCheck {
+  bool indices_valid = true;   ///< corners in range and distinct
+  bool closed = true;          ///< every edge has exactly two faces
+  bool oriented = true;        ///< which run along it in opposite directions
+  bool single_rings = true;    ///< the faces around every vertex form one ring
+  bool ok() const { return indices_valid && closed && oriented && single_rings; }
+};
+
+/// twin[h]: the half-edge that runs back along h, or kNone where there is not exactly one.
+std::vector<Index> half_edge_twins(const std::vector<Corners>& triangles, Index vertex_count);
+
+/// Vertices without a face are allowed; a list without faces is not closed.
+ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex_count);
+
+/// Connected components of a closed manifold: component[t] for every triangle, and their number.
+Index connected_components(const std::vector<Index>& twins, std::vector<Index>& component);
+
+}  // namespace filmsticking

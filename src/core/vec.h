@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The core's own shorthand for positions and ids.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace filmsticking {
+
+using Vec3 = Eigen::Vector3d;
+using Index = std::int32_t;
+using Corners = std::array<Index, 3>;
+
+constexpr Index kNone = -1;
+
+}  // namespace filmsticking
