@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <pcl/PolygonMesh.h>
+#include <pcl/surface/reconstruction.h>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "filmsticking/options.h"
+#include "filmsticking/report.h"
+#include "filmsticking/status.h"
+#include "filmsticking/types.h"
+
+namespace pcl {
+
+/** \brief Closed, manifold surface through the points of a cloud without normals (Filmsticking++).
+ *
+ * Every vertex of the result is a point of the input, copied with all its fields; getVertexIndices() says
+ * which. The surface is closed, 2-manifold and wound counter-clockwise seen from outside. Points with a
+ * coordinate that is not finite and repeated points are left out. No parameter has to be set:
+ *
+ * \code
+ * pcl::FilmstickingPP<pcl::PointXYZ> filmsticking;
+ * filmsticking.setInputCloud(cloud);
+ * pcl::PolygonMesh mesh;
+ * filmsticking.reconstruct(mesh);
+ * if (filmsticking.getStatus() != filmsticking::Status::Ok) { ... }  // the mesh is empty then
+ * \endcode
+ *
+ * reconstruct() never throws: it answers any input with a mesh, or with an empty one, a status and one
+ * line of PCL_ERROR. The same input gives the same mesh for any number of threads. A search method, if one
+ * is set, is not used.
+ *
+ * Method: Wang et al., "Filmsticking++", arXiv 2602.11433. For a point type of your own, include
+ * pcl/surface/impl/filmsticking_pp.hpp.
+ *
+ * \ingroup surface
+ */
+template <typename PointInT>
+class FilmstickingPP : public SurfaceReconstruction<PointInT> {
+ public:
+  using Ptr = shared_ptr<FilmstickingPP<PointInT>>;
+  using ConstPtr = shared_ptr<const FilmstickingPP<PointInT>>;
+
+  using PointCloud = pcl::PointCloud<PointInT>;
+  using PointCloudPtr = typename PointCloud::Ptr;
+  using PointCloudConstPtr = typename PointCloud::ConstPtr;
+
+  using InitialSurface = filmsticking::InitialSurface;
+  using FieldMethod = filmsticking::FieldMethod;
+  using RingChoice = filmsticking::RingChoice;
+  using Options = filmsticking::Options;
+  using Status = filmsticking::Status;
+  using Report = filmsticking::Report;
+  using ProgressCallback = std::function<void(double share, const char* room)>;
+
+  using SurfaceReconstruction<PointInT>::input_;
+  using SurfaceReconstruction<PointInT>::indices_;
+
+  /** \brief Constructor: the defaults of filmsticking::Options. */
+  FilmstickingPP() { check_tree_ = false; }
+
+  /** \brief Destructor. */
+  ~FilmstickingPP() override = default;
+
+  /** \brief Reconstruct the surface through the points given by setInputCloud() and setIndices().
+   * \param[out] output the triangles, and a cloud with their vertices only; empty on failure
+   */
+  void reconstruct(pcl::PolygonMesh& output) override;
+
+  /** \brief Reconstruct the surface through the points given by setInputCloud() and setIndices().
+   * \param[out] points the vertices with all their fields, unorganized and dense; empty on failure
+   * \param[out] polygons the triangles, as indices into \a points; empty on failure
+   */
+  void reconstruct(pcl::PointCloud<PointInT>& points, std::vector<pcl::Vertices>& polygons) override;
+
+  /** \brief Stop the reconstruction that is running, from any thread: it ends soon with Status::Cancelled.
+   * Without a running reconstruction it does nothing.
+   */
+  void cancel() { cancel_.raised = true; }
+
+  /** \brief How the last reconstruct() ended; InternalError before the first. */
+  Status getStatus() const { return status_; }
+
+  /** \brief One sentence about the failure of the last reconstruct(); empty when it succeeded. */
+  const std::string& getStatusMessage() const { return status_message_; }
+
+  /** \brief What the last reconstruct() did, as far as it got. */
+  const Report& getReport() const { return report_; }
+
+  /** \brief The input point of each output vertex.
+   * \return for vertex k its index in the input cloud (also when setIndices() was used); empty on failure
+   */
+  const pcl::Indices& getVertexIndices() const { return vertex_indices_; }
+
+  /** \brief Set the closed surface that the film starts from. */
+  void setInitialSurface(InitialSurface initial_surface) { options_.initial_surface = initial_surface; }
+
+  /** \brief Get the closed surface that the film starts from. */
+  InitialSurface getInitialSurface() const { return options_.initial_surface; }
+
+  /** \brief Set how dangling plates are removed and the topology is corrected. */
+  void setFieldMethod(FieldMethod field) { options_.field = field; }
+
+  /** \brief Get how dangling plates are removed and the topology is corrected. */
+  FieldMethod getFieldMethod() const { return options_.field; }
+
+  /** \brief Set which ring of triangles a site keeps when it owns several regions of the film. */
+  void setRingChoice(RingChoice ring) { options_.ring = ring; }
+
+  /** \brief Get which ring of triangles a site keeps when it owns several regions of the film. */
+  RingChoice getRingChoice() const { return options_.ring; }
+
+  /** \brief Set the number of virtual sites, or Options::kAdaptiveVirtualSites. */
+  void setVirtualSites(int virtual_sites) { options_.virtual_sites = virtual_sites; }
+
+  /** \brief Get the number of virtual sites. */
+  int getVirtualSites() const { return options_.virtual_sites; }
+
+  /** \brief Set whether stalled sites are attracted by weights. */
+  void setUseWeights(bool use_weights) { options_.weights = use_weights; }
+
+  /** \brief Get whether stalled sites are attracted by weights. */
+  bool getUseWeights() const { return options_.weights; }
+
+  /** \brief Set whether the sites that the film does not reach are put into its nearest face. */
+  void setInsertLeftover(bool insert_leftover) { options_.insert_leftover = insert_leftover; }
+
+  /** \brief Get whether the sites that the film does not reach are put into its nearest face. */
+  bool getInsertLeftover() const { return options_.insert_leftover; }
+
+  /** \brief Set the number of film steps allowed before the first field. */
+  void setMaxSteps(int max_steps) { options_.max_steps = max_steps; }
+
+  /** \brief Get the number of film steps allowed before the first field. */
+  int getMaxSteps() const { return options_.max_steps; }
+
+  /** \brief Set the number of rounds of field and film allowed. */
+  void setMaxRounds(int max_rounds) { options_.max_rounds = max_rounds; }
+
+  /** \brief Get the number of rounds of field and film allowed. */
+  int getMaxRounds() const { return options_.max_rounds; }
+
+  /** \brief Set the number of threads; 0 stands for all that the machine has. */
+  void setNumberOfThreads(int threads = 0) { options_.threads = threads; }
+
+  /** \brief Get the number of threads; 0 stands for all that the machine has. */
+  int getNumberOfThreads() const { return options_.threads; }
+
+  /** \brief Set the surface that the film starts from, and InitialSurface::Given with it.
+   * \param[in] surface a closed, oriented 2-manifold; null takes the surface back and leaves the rest
+   */
+  void setGuidingSurface(const std::shared_ptr<const filmsticking::Mesh>& surface) {
+    options_.guiding_surface = surface;
+    if (surface) options_.initial_surface = InitialSurface::Given;
+  }
+
+  /** \brief Set the surface that the film starts from, and InitialSurface::Given with it.
+   * \param[in] surface a closed, oriented 2-manifold; polygons are cut into triangles
+   */
+  void setGuidingSurface(const pcl::PolygonMesh& surface);
+
+  /** \brief Get the surface set by setGuidingSurface(); null if there is none. */
+  std::shared_ptr<const filmsticking::Mesh> getGuidingSurface() const { return options_.guiding_surface; }
+
+  /** \brief Set all options at once. */
+  void setOptions(const Options& options) { options_ = options; }
+
+  /** \brief Get all options. */
+  const Options& getOptions() const { return options_; }
+
+  /** \brief Set a function that is called during reconstruct(), from the thread that called it, with the
+   * share done (0 to 1, never falling) and the part of the method at work.
+   */
+  void setProgressCallback(const ProgressCallback& callback) { progress_callback_ = callback; }
+
+ protected:
+  using SurfaceReconstruction<PointInT>::check_tree_;
+  using SurfaceReconstruction<PointInT>::initCompute;
+  using SurfaceReconstruction<PointInT>::deinitCompute;
+
+  /** \brief Reconstruct from an input that has been checked. */
+  void performReconstruction(pcl::PolygonMesh& output) override;
+
+  /** \brief Reconstruct from an input that has been checked. */
+  void performReconstruction(pcl::PointCloud<PointInT>& points,
+                             std::vector<pcl::Vertices>& polygons) override;
+
+  /** \brief Class get name method. */
+  std::string getClassName() const override { return "FilmstickingPP"; }
+
+ private:
+  /** \brief A flag for other threads; every object has its own, also a copied one. */
+  struct CancelFlag {
+    CancelFlag() = default;
+    CancelFlag(const CancelFlag&) noexcept {}
+    CancelFlag& operator=(const CancelFlag&) noexcept { return *this; }
+    std::atomic<bool> raised{false};
+  };
+
+  /** \brief Forget the last result, run \a compute on the checked input, and turn exceptions into a status.
+   */
+  template <typename Compute>
+  void guarded(Compute compute) noexcept;
+
+  /** \brief Prepare the indices; false, with the status set, if the input cannot be used. */
+  bool checkInput();
+
+  /** \brief Set a failure and report it by PCL_ERROR. */
+  void fail(Status status, const std::string& message);
+
+  Options options_;
+  ProgressCallback progress_callback_;
+  CancelFlag cancel_;
+
+  Status status_ = Status::InternalError;
+  std::string status_message_;
+  Report report_;
+  pcl::Indices vertex_indices_;
+};
+
+}  // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/surface/impl/filmsticking_pp.hpp>
+#endif

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <pcl/console/print.h>
+#include <pcl/conversions.h>
+#include <pcl/point_types.h>
+#include <pcl/surface/filmsticking_pp.h>
+
+#include <cstddef>
+#include <exception>
+#include <new>
+#include <pcl/impl/pcl_base.hpp>
+#include <utility>
+
+#include "filmsticking/reconstruct.h"
+
+template <typename PointInT>
+void pcl::FilmstickingPP<PointInT>::reconstruct(pcl::PolygonMesh& output) {
+  // Built aside, then handed over: the caller's mesh may hold anything.
+  pcl::PolygonMesh result;
+  guarded([&] { performReconstruction(result); });
+  if (status_ != Status::Ok) {
+    result = pcl::PolygonMesh();
+    if (input_) result.header = result.cloud.header = input_->header;
+  }
+  output = std::move(result);
+}
+
+template <typename PointInT>
+void pcl::FilmstickingPP<PointInT>::reconstruct(pcl::PointCloud<PointInT>& points,
+                                                std::vector<pcl::Vertices>& polygons) {
+  // Built aside, then handed over: `points` may be the input cloud itself.
+  pcl::PointCloud<PointInT> result_points;
+  std::vector<pcl::Vertices> result_polygons;
+  guarded([&] { performReconstruction(result_points, result_polygons); });
+  if (status_ != Status::Ok) {
+    result_points = pcl::PointCloud<PointInT>();
+    result_polygons.clear();
+    if (input_) result_points.header = input_->header;
+  }
+  points = std::move(result_points);
+  polygons = std::move(result_polygons);
+}
+
+template <typename PointInT>
+void pcl::FilmstickingPP<PointInT>::performReconstruction(pcl::PolygonMesh& output) {
+  pcl::PointCloud<PointInT> points;
+  performReconstruction(points, output.polygons);
+  output.header = points.header;
+  pcl::toPCLPointCloud2(points, output.cloud);
+}
+
+template <typename PointInT>
+void pcl::FilmstickingPP<PointInT>::performReconstruction(pcl::PointCloud<PointInT>& points,
+                                                          std::vector<pcl::Vertices>& polygons) {
+  std::vector<filmsticking::Point> positions;
+  positions.reserve(indices_->size());
+  for (const pcl::index_t index : *indices_) {
+    const PointInT& point = (*input_)[index];
+    positions.push_back({point.x, point.y, point.z});
+  }
+
+  filmsticking::Execution execution;
+  execution.progress = progress_callback_;
+  execution.cancel = &cancel_.raised;
+  filmsticking::Result result = filmsticking::reconstruct(positions, options_, execution);
+  report_ = std::move(result.report);
+  if (result.status != Status::Ok) {
+    fail(result.status, result.message.empty() ? filmsticking::describe(result.status) : result.message);
+    return;
+  }
+
+  points.clear();
+  points.header = input_->header;
+  points.sensor_origin_ = input_->sensor_origin_;
+  points.sensor_orientation_ = input_->sensor_orientation_;
+  points.is_dense = true;
+  points.reserve(result.vertices.size());
+  vertex_indices_.reserve(result.vertices.size());
+  for (const std::int32_t position : result.vertices) {
+    vertex_indices_.push_back((*indices_)[position]);
+    points.push_back((*input_)[vertex_indices_.back()]);
+  }
+  polygons.resize(result.triangles.size());
+  for (std::size_t t = 0; t < polygons.size(); ++t)
+    polygons[t].vertices.assign(result.triangles[t].begin(), result.triangles[t].end());
+  status_ = Status::Ok;
+}
+
+template <typename PointInT>
+void pcl::FilmstickingPP<PointInT>::setGuidingSurface(const pcl::PolygonMesh& surface) {
+  pcl::PointCloud<pcl::PointXYZ> points;
+  pcl::fromPCLPointCloud2(surface.cloud, points);
+  auto mesh = std::make_shared<filmsticking::Mesh>();
+  for (const pcl::PointXYZ& point : points) mesh->positions.push_back({point.x, point.y, point.z});
+  for (const pcl::Vertices& polygon : surface.polygons)
+    for (std::size_t k = 2; k < polygon.vertices.size(); ++k)
+      mesh->triangles.push_back({polygon.vertices[0], polygon.vertices[k - 1], polygon.vertices[k]});
+  setGuidingSurface(std::shared_ptr<const filmsticking::Mesh>(std::move(mesh)));
+}
+
+template <typename PointInT>
+template <typename Compute>
+void pcl::FilmstickingPP<PointInT>::guarded(Compute compute) noexcept {
+  cancel_.raised = false;
+  status_ = Status::InternalError;
+  status_message_.clear();
+  report_ = Report();
+  vertex_indices_.clear();
+  try {
+    if (checkInput()) {
+      compute();
+      deinitCompute();
+    }
+  } catch (const std::bad_alloc&) {
+    fail(Status::OutOfMemory, filmsticking::describe(Status::OutOfMemory));
+  } catch (const std::exception& error) {
+    fail(Status::InternalError, error.what());
+  } catch (...) {
+    fail(Status::InternalError, filmsticking::describe(Status::InternalError));
+  }
+  if (status_ != Status::Ok) vertex_indices_.clear();
+}
+
+template <typename PointInT>
+bool pcl::FilmstickingPP<PointInT>::checkInput() {
+  if (!input_) {
+    fail(Status::TooFewPoints, "no input cloud is set");
+    return false;
+  }
+  if (!initCompute()) {
+    fail(Status::OutOfMemory, filmsticking::describe(Status::OutOfMemory));
+    return false;
+  }
+  for (const pcl::index_t index : *indices_)
+    if (index < 0 || static_cast<std::size_t>(index) >= input_->size()) {
+      fail(Status::InvalidOptions, "index " + std::to_string(index) + " is not in the cloud of " +
+                                       std::to_string(input_->size()) + " points");
+      return false;
+    }
+  return true;
+}
+
+template <typename PointInT>
+void pcl::FilmstickingPP<PointInT>::fail(Status status, const std::string& message) {
+  status_ = status;
+  status_message_ = message;
+  PCL_ERROR("[pcl::%s::reconstruct] %s.\n", getClassName().c_str(), message.c_str());
+}
+
+#define PCL_INSTANTIATE_FilmstickingPP(T) template class PCL_EXPORTS pcl::FilmstickingPP<T>;
