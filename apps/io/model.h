@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "filmsticking/types.h"
+
+namespace filmsticking::io {
+
+/// Red, green, blue: 0 to 255.
+using Colour = std::array<std::uint8_t, 3>;
+
+/// What a file of points or of a mesh holds. Positions have the very value of the file.
+struct Model {
+  std::vector<Point> positions;
+  std::vector<Colour> colours;      ///< empty, or one a position
+  std::vector<Triangle> triangles;  ///< empty for a point cloud; polygons come as fans of triangles
+};
+
+}  // namespace filmsticking::io

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model_file.h"
+
+#include "files.h"
+#include "io_error.h"
+#include "obj.h"
+#include "pcd.h"
+#include "ply.h"
+#include "stl.h"
+#include "vtk_polydata.h"
+#include "xyz.h"
+
+namespace filmsticking::io {
+namespace {
+
+Model read_any(const std::string& path) {
+  check_readable(path);
+  const std::string extension = extension_of(path);
+  if (extension == ".ply") return decode_ply(read_file(path));
+  if (extension == ".obj") return decode_obj(read_file(path));
+  if (extension == ".xyz" || extension == ".txt") return decode_xyz(read_file(path));
+  if (extension == ".pcd") return read_pcd(path);
+  if (extension == ".stl") return read_stl(path);
+  if (extension == ".vtk") return read_vtk(path);
+  throw IoError("its extension is none of .pcd .ply .obj .xyz .txt .stl .vtk");
+}
+
+}  // namespace
+
+Model read_model(const std::string& path) {
+  Model model = read_any(path);
+  if (model.positions.empty()) throw IoError("there are no points in it");
+  return model;
+}
+
+bool can_write_model(const std::string& path) {
+  const std::string extension = extension_of(path);
+  return extension == ".ply" || extension == ".obj" || extension == ".stl" || extension == ".vtk";
+}
+
+void write_model(const std::string& path, const Model& model) {
+  const std::string extension = extension_of(path);
+  if (extension == ".ply") return write_file(path, encode_ply(model));
+  if (extension == ".obj") return write_file(path, encode_obj(model));
+  if (extension == ".stl") return write_file(path, encode_stl(model));
+  if (extension == ".vtk") return write_file(path, encode_vtk(model));
+  throw IoError("its extension is none of .ply .obj .stl .vtk");
+}
+
+}  // namespace filmsticking::io

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ply.h"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+
+#include "float_exact.h"
+#include "io_error.h"
+#include "text_scanner.h"
+
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+#error "this file takes the machine for a little-endian one"
+#endif
+
+namespace filmsticking::io {
+namespace {
+
+enum class Format { Ascii, LittleEndian, BigEndian };
+
+enum class Type { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float, Double };
+
+struct Property {
+  std::string name;
+  Type type = Type::Float;
+  bool is_list = false;
+  Type count_type = Type::UInt8;
+};
+
+struct Element {
+  std::string name;
+  std::size_t count = 0;
+  std::vector<Property> properties;
+};
+
+struct Header {
+  Format format = Format::Ascii;
+  std::vector<Element> elements;
+};
+
+std::size_t size_of(Type type) {
+  switch (type) {
+    case Type::Int8:
+    case Type::UInt8:
+      return 1;
+    case Type::Int16:
+    case Type::UInt16:
+      return 2;
+    case Type::Double:
+      return 8;
+    default:
+      return 4;
+  }
+}
+
+Type parse_type(std::string_view name) {
+  static const std::map<std::string_view, Type> types = {
+      {"char", Type::Int8},   {"int8", Type::Int8},     {"uchar", Type::UInt8},   {"uint8", Type::UInt8},
+      {"short", Type::Int16}, {"int16", Type::Int16},   {"ushort", Type::UInt16}, {"uint16", Type::UInt16},
+      {"int", Type::Int32},   {"int32", Type::Int32},   {"uint", Type::UInt32},   {"uint32", Type::UInt32},
+      {"float", Type::Float}, {"float32", Type::Float}, {"double", Type::Double}, {"float64", Type::Double}};
+  const auto found = types.find(name);
+  if (found == types.end()) throw IoError("its PLY header has an unknown type '" + std::string(name) + "'");
+  return found->second;
+}
+
+Format parse_format(std::string_view name) {
+  if (name == "ascii") return Format::Ascii;
+  if (name == "binary_little_endian") return Format::LittleEndian;
+  if (name == "binary_big_endian") return Format::BigEndian;
+  throw IoError("its PLY header has an unknown format '" + std::string(name) + "'");
+}
+
+/// Leaves `file` at the first byte after the header.
+Header parse_header(TextScanner& file) {
+  Header header;
+  std::string_view text;
+  if (!file.line(text) || text != "ply") throw IoError("it is not a PLY file");
+  while (file.line(text)) {
+    TextScanner line(text);
+    const std::string_view keyword = line.word();
+    if (keyword == "end_header") return header;
+    if (keyword == "format") {
+      header.format = parse_format(line.word());
+    } else if (keyword == "element") {
+      Element element;
+      element.name = line.word();
+      long long count = 0;
+      if (!parse_integer(line.word(), count) || count < 0)
+        throw IoError("its PLY header has a bad number of '" + element.name + "'");
+      element.count = static_cast<std::size_t>(count);
+      header.elements.push_back(element);
+    } else if (keyword == "property") {
+      if (header.elements.empty()) throw IoError("its PLY header has a property before any element");
+      Property property;
+      std::string_view type = line.word();
+      property.is_list = type == "list";
+      if (property.is_list) {
+        property.count_type = parse_type(line.word());
+        type = line.word();
+      }
+      property.type = parse_type(type);
+      property.name = line.word();
+      header.elements.back().properties.push_back(property);
+    }
+  }
+  throw IoError("its PLY header has no end");
+}
+
+/// The values of the body, one after the other.
+class Body {
+ public:
+  Body(Format format, std::string_view bytes) : format_(format), bytes_(bytes), text_(bytes) {}
+
+  double value(Type type) {
+    if (format_ == Format::Ascii) return text_value(type);
+    unsigned char raw[8];
+    const std::size_t size = size_of(type);
+    if (bytes_.size() < size) throw_short();
+    std::memcpy(raw, bytes_.data(), size);
+    bytes_.remove_prefix(size);
+    if (format_ == Format::BigEndian) std::reverse(raw, raw + size);
+    switch (type) {
+      case Type::Int8:
+        return as<std::int8_t>(raw);
+      case Type::UInt8:
+        return as<std::uint8_t>(raw);
+      case Type::Int16:
+        return as<std::int16_t>(raw);
+      case Type::UInt16:
+        return as<std::uint16_t>(raw);
+      case Type::Int32:
+        return as<std::int32_t>(raw);
+      case Type::UInt32:
+        return as<std::uint32_t>(raw);
+      case Type::Float:
+        return static_cast<double>(as<float>(raw));
+      case Type::Double:
+        return as<double>(raw);
+    }
+    return 0;
+  }
+
+  /// A list's length; a length that the rest of the file cannot hold is refused.
+  std::size_t list_size(const Property& list) {
+    const double size = value(list.count_type);
+    const double smallest = format_ == Format::Ascii ? 1 : static_cast<double>(size_of(list.type));
+    if (!(size >= 0)) throw IoError("a list in it has a negative length");
+    if (size * smallest > static_cast<double>(remaining())) throw_short();
+    return static_cast<std::size_t>(size);
+  }
+
+  /// Refuses an element with more rows than the rest of the file can hold.
+  void check_room(const Element& element) {
+    std::size_t smallest = 0;
+    for (const Property& property : element.properties)
+      smallest +=
+          format_ == Format::Ascii ? 1 : size_of(property.is_list ? property.count_type : property.type);
+    if (element.count > remaining() / std::max<std::size_t>(smallest, 1)) throw_short();
+  }
+
+ private:
+  std::size_t remaining() const { return format_ == Format::Ascii ? text_.remaining() : bytes_.size(); }
+
+  double text_value(Type type) {
+    float single = 0;
+    double value = 0;
+    if (!(type == Type::Float ? text_.number(single) : text_.number(value))) {
+      if (text_.remaining() == 0) throw_short();
+      throw IoError("its body has a word that is not a number");
+    }
+    return type == Type::Float ? static_cast<double>(single) : value;
+  }
+
+  template <typename T>
+  static T as(const unsigned char* raw) {
+    T value;
+    std::memcpy(&value, raw, sizeof value);
+    return value;
+  }
+
+  [[noreturn]] static void throw_short() { throw IoError("it ends before its PLY header says"); }
+
+  Format format_;
+  std::string_view bytes_;
+  TextScanner text_;
+};
+
+void read_vertices(Body& body, const Element& element, Model& model) {
+  enum Role { X, Y, Z, Red, Green, Blue, kRoles, Other = kRoles };
+  static const std::map<std::string_view, Role> roles = {{"x", X},
+                                                         {"y", Y},
+                                                         {"z", Z},
+                                                         {"red", Red},
+                                                         {"green", Green},
+                                                         {"blue", Blue},
+                                                         {"diffuse_red", Red},
+                                                         {"diffuse_green", Green},
+                                                         {"diffuse_blue", Blue}};
+  std::vector<Role> role_of;
+  bool has[kRoles] = {};
+  for (const Property& property : element.properties) {
+    const auto found = roles.find(property.name);
+    Role role = found == roles.end() || property.is_list ? Other : found->second;
+    if (role >= Red && role <= Blue && property.type != Type::UInt8) role = Other;
+    role_of.push_back(role);
+    if (role != Other) has[role] = true;
+  }
+  if (!has[X] || !has[Y] || !has[Z]) throw IoError("its vertices have no x, y and z");
+  const bool coloured = has[Red] && has[Green] && has[Blue];
+
+  model.positions.reserve(element.count);
+  if (coloured) model.colours.reserve(element.count);
+  for (std::size_t row = 0; row < element.count; ++row) {
+    double values[kRoles + 1] = {};
+    for (std::size_t k = 0; k < role_of.size(); ++k) {
+      const Property& property = element.properties[k];
+      const std::size_t repeats = property.is_list ? body.list_size(property) : 1;
+      for (std::size_t r = 0; r < repeats; ++r) values[role_of[k]] = body.value(property.type);
+    }
+    model.positions.push_back({values[X], values[Y], values[Z]});
+    if (coloured) {
+      const auto byte = [&](Role role) { return static_cast<std::uint8_t>(values[role]); };
+      model.colours.push_back({byte(Red), byte(Green), byte(Blue)});
+    }
+  }
+}
+
+void read_faces(Body& body, const Element& element, std::size_t vertices, Model& model) {
+  std::vector<std::int32_t> corners;
+  for (std::size_t row = 0; row < element.count; ++row)
+    for (const Property& property : element.properties) {
+      const bool is_face =
+          property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
+      const std::size_t repeats = property.is_list ? body.list_size(property) : 1;
+      corners.clear();
+      for (std::size_t r = 0; r < repeats; ++r) {
+        const double value = body.value(property.type);
+        if (!is_face) continue;
+        if (!(value >= 0 && value < static_cast<double>(vertices)))
+          throw IoError("a face in it names a vertex that does not exist");
+        corners.push_back(static_cast<std::int32_t>(value));
+      }
+      for (std::size_t k = 2; k < corners.size(); ++k)
+        model.triangles.push_back({corners[0], corners[k - 1], corners[k]});
+    }
+}
+
+void skip(Body& body, const Element& element) {
+  for (std::size_t row = 0; row < element.count; ++row)
+    for (const Property& property : element.properties) {
+      const std::size_t repeats = property.is_list ? body.list_size(property) : 1;
+      for (std::size_t r = 0; r < repeats; ++r) body.value(property.type);
+    }
+}
+
+template <typename T>
+void append(std::string& bytes, T value) {
+  unsigned char raw[sizeof value];
+  std::memcpy(raw, &value, sizeof value);
+  bytes.append(reinterpret_cast<const char*>(raw), sizeof value);
+}
+
+}  // namespace
+
+Model decode_ply(std::string_view bytes) {
+  TextScanner file(bytes);
+  const Header header = parse_header(file);
+  Body body(header.format, bytes.substr(bytes.size() - file.remaining()));
+
+  std::size_t vertices = 0;
+  for (const Element& element : header.elements)
+    if (element.name == "vertex") vertices = element.count;
+
+  Model model;
+  for (const Element& element : header.elements) {
+    if (element.properties.empty()) continue;
+    body.check_room(element);
+    if (element.name == "vertex" && model.positions.empty()) {
+      read_vertices(body, element, model);
+    } else if (element.name == "face") {
+      read_faces(body, element, vertices, model);
+    } else {
+      skip(body, element);
+    }
+  }
+  return model;
+}
+
+std::string encode_ply(const Model& model) {
+  const bool single = float_exact(model.positions);
+  const char* type = single ? "float" : "double";
+  std::string bytes =
+      "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(model.positions.size()) + "\n";
+  for (const char* axis : {"x", "y", "z"}) bytes += std::string("property ") + type + " " + axis + "\n";
+  if (!model.colours.empty())
+    for (const char* channel : {"red", "green", "blue"})
+      bytes += std::string("property uchar ") + channel + "\n";
+  if (!model.triangles.empty())
+    bytes += "element face " + std::to_string(model.triangles.size()) +
+             "\nproperty list uchar int vertex_indices\n";
+  bytes += "end_header\n";
+
+  for (std::size_t i = 0; i < model.positions.size(); ++i) {
+    for (const double x : model.positions[i]) {
+      if (single) {
+        append(bytes, static_cast<float>(x));
+      } else {
+        append(bytes, x);
+      }
+    }
+    if (!model.colours.empty())
+      for (const std::uint8_t channel : model.colours[i]) append(bytes, channel);
+  }
+  for (const Triangle& triangle : model.triangles) {
+    append(bytes, std::uint8_t{3});
+    for (const std::int32_t corner : triangle) append(bytes, corner);
+  }
+  return bytes;
+}
+
+}  // namespace filmsticking::io

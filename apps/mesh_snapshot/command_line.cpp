@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command_line.h"
+
+#include <algorithm>
+#include <boost/program_options.hpp>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+#include "io/files.h"
+
+namespace po = boost::program_options;
+
+namespace filmsticking::app {
+namespace {
+
+constexpr int kPanelSize = 700;     // pixels
+constexpr int kMostPixels = 16384;  // a side
+
+po::options_description visible_options() {
+  po::options_description options("Options", 100);
+  options.add_options()("output,o", po::value<std::string>()->value_name("OUT.png"), "the picture")(
+      "size", po::value<std::string>()->value_name("WxH"), "size of the whole picture in pixels")(
+      "points", po::value<std::string>()->value_name("CLOUD"), "draw this cloud over every mesh")(
+      "view", po::value<std::string>()->value_name("AZ,EL"),
+      "degrees: around the upright axis, and above the horizon; default 30,20")(
+      "up", po::value<std::string>()->value_name("y|z"), "the upright axis; default y")(
+      "edges", "draw the edges of the triangles")("columns", po::value<int>()->value_name("N"),
+                                                  "pictures in a row; default up to 4")(
+      "labels", "write the file's name under every mesh")("help", "print this text");
+  return options;
+}
+
+/// "A<separator>B" as two numbers.
+bool parse_pair(const std::string& text, char separator, double& a, double& b) {
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  char between = 0;
+  return stream >> a >> between >> b && between == separator && stream.peek() == EOF;
+}
+
+}  // namespace
+
+CommandLine parse_command_line(int argc, const char* const* argv) {
+  po::options_description all = visible_options();
+  all.add_options()("mesh", po::value<std::vector<std::string>>());
+  po::positional_options_description positional;
+  positional.add("mesh", -1);
+  po::variables_map given;
+  try {
+    using namespace po::command_line_style;
+    // Without guessing; a short option only as "-o OUT.png", so that a negative angle is no option.
+    const int style = allow_long | long_allow_adjacent | long_allow_next | allow_short |
+                      allow_dash_for_short | short_allow_next;
+    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
+              given);
+  } catch (const po::error& error) {
+    throw UsageError(error.what());
+  }
+
+  CommandLine command;
+  command.help = given.count("help") > 0;
+  if (command.help) return command;
+  if (given.count("mesh")) command.meshes = given["mesh"].as<std::vector<std::string>>();
+  if (command.meshes.empty()) throw UsageError("a mesh is needed; --help tells more");
+  if (!given.count("output")) throw UsageError("-o OUT.png is needed; --help tells more");
+  command.output = given["output"].as<std::string>();
+  if (io::extension_of(command.output) != ".png") throw UsageError("the picture's name must end in .png");
+  if (given.count("points")) command.points = given["points"].as<std::string>();
+  command.labels = given.count("labels") > 0;
+
+  View& view = command.view;
+  const int panels = static_cast<int>(command.meshes.size());
+  view.edges = given.count("edges") > 0;
+  view.columns = given.count("columns") ? given["columns"].as<int>() : std::min(panels, 4);
+  if (view.columns < 1) throw UsageError("--columns takes a whole number from 1 on");
+  view.columns = std::min(view.columns, panels);
+  view.width = kPanelSize * view.columns;
+  view.height = kPanelSize * ((panels + view.columns - 1) / view.columns);
+  if (given.count("size")) {
+    double width = 0, height = 0;
+    if (!parse_pair(given["size"].as<std::string>(), 'x', width, height) || !(width >= 16 && height >= 16) ||
+        !(width <= kMostPixels && height <= kMostPixels))
+      throw UsageError("--size takes pixels like 1200x800, from 16 to " + std::to_string(kMostPixels));
+    view.width = static_cast<int>(width);
+    view.height = static_cast<int>(height);
+  }
+  if (given.count("view") &&
+      (!parse_pair(given["view"].as<std::string>(), ',', view.azimuth, view.elevation) ||
+       !std::isfinite(view.azimuth) || !(std::abs(view.elevation) <= 90)))
+    throw UsageError("--view takes two angles in degrees like 30,20, the second from -90 to 90");
+  if (given.count("up")) {
+    const std::string up = given["up"].as<std::string>();
+    if (up != "y" && up != "z") throw UsageError("--up takes y or z");
+    view.z_up = up == "z";
+  }
+  return command;
+}
+
+std::string usage() {
+  std::ostringstream text;
+  text << "usage: mesh_snapshot MESH.. -o OUT.png [options]\n\n"
+          "Draws meshes (.ply .obj .stl .vtk) side by side, all from the same view. Front faces are light, "
+          "back\n"
+          "faces and the edges of holes red, edges with more than two faces violet. It needs an X display:\n"
+          "on a machine without one run it as  xvfb-run -a mesh_snapshot ..\n\n"
+       << visible_options();
+  return text.str();
+}
+
+}  // namespace filmsticking::app

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "filmsticking/reconstruct.h"
+
+namespace filmsticking::app {
+
+/// What a report says beside the result.
+struct RunFacts {
+  std::string input;
+  std::string output;
+  double seconds = 0;  ///< wall time with reading and writing
+  std::int64_t peak_memory_bytes = 0;
+};
+
+/// The report of --report. Its fields:
+///   input, output, status, message: strings; message is empty when status is "Ok"
+///   points, sites, non_finite, duplicates: as in Report
+///   interpolated, interpolated_share (of the sites, 0 to 1), inserted
+///   vertices, triangles, components, genus, closed, manifold: the mesh
+///   rounds; steps: a list of round, attracted, virtual_left, weighted, regions_repaired, seconds
+///   rooms: a list of room, seconds
+///   reconstruction_seconds, seconds (with reading and writing), peak_memory_bytes
+std::string report_json(const Result& result, const RunFacts& facts);
+
+/// The name of a status, as in the code.
+const char* status_name(Status status);
+
+}  // namespace filmsticking::app
