@@ -1,0 +1,510 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The contract of pcl::FilmstickingPP.
+#include <gtest/gtest.h>
+#include <pcl/conversions.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/point_types.h>
+#include <pcl/surface/filmsticking_pp.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <thread>
+
+#include "clouds.h"
+#include "support/surface_check.h"
+
+namespace filmsticking::test {
+namespace {
+
+using pcl::PointNormal;
+using pcl::PointXYZ;
+using Class = pcl::FilmstickingPP<PointXYZ>;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+template <typename PointT>
+struct Surface {
+  pcl::PointCloud<PointT> points;
+  std::vector<pcl::Vertices> polygons;
+};
+
+template <typename PointT>
+Surface<PointT> run(pcl::FilmstickingPP<PointT>& filmsticking) {
+  Surface<PointT> surface;
+  filmsticking.reconstruct(surface.points, surface.polygons);
+  return surface;
+}
+
+template <typename PointT>
+Mesh to_mesh(const Surface<PointT>& surface) {
+  Mesh mesh;
+  for (const PointT& p : surface.points) mesh.positions.push_back({p.x, p.y, p.z});
+  for (const pcl::Vertices& polygon : surface.polygons) {
+    EXPECT_EQ(polygon.vertices.size(), 3u);
+    mesh.triangles.push_back({polygon.vertices[0], polygon.vertices[1], polygon.vertices[2]});
+  }
+  return mesh;
+}
+
+std::vector<pcl::Indices> corners(const std::vector<pcl::Vertices>& polygons) {
+  std::vector<pcl::Indices> all;
+  for (const pcl::Vertices& polygon : polygons) all.push_back(polygon.vertices);
+  return all;
+}
+
+pcl::PointCloud<PointNormal>::Ptr load_bunny() {
+  pcl::PointCloud<PointNormal>::Ptr cloud(new pcl::PointCloud<PointNormal>);
+  EXPECT_EQ(pcl::io::loadPCDFile(TEST_DATA "/bun0.pcd", *cloud), 0);
+  return cloud;
+}
+
+template <typename PointT>
+bool same_coordinates(const PointT& a, const PointT& b) {
+  return std::memcmp(&a.x, &b.x, 3 * sizeof(float)) == 0;
+}
+
+void expect_good_surface(const Mesh& mesh) {
+  EXPECT_EQ(surface_fault(mesh), "");
+  EXPECT_GT(signed_volume(mesh), 0);
+}
+
+/// Expects an empty result with `status`, in both overloads, over outputs that were full before.
+void expect_failure(Class& filmsticking, Status status) {
+  Surface<PointXYZ> surface;
+  surface.points = *make_sphere<PointXYZ>(10);
+  surface.polygons.resize(7);
+  ::testing::internal::CaptureStderr();
+  EXPECT_NO_THROW(filmsticking.reconstruct(surface.points, surface.polygons));
+  const std::string errors = ::testing::internal::GetCapturedStderr();
+  EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
+  EXPECT_EQ(filmsticking.getStatus(), status) << filmsticking.getStatusMessage();
+  EXPECT_FALSE(filmsticking.getStatusMessage().empty());
+  EXPECT_TRUE(surface.points.empty());
+  EXPECT_EQ(surface.points.width * surface.points.height, 0u);
+  EXPECT_TRUE(surface.polygons.empty());
+  EXPECT_TRUE(filmsticking.getVertexIndices().empty());
+
+  pcl::PolygonMesh mesh;
+  pcl::toPCLPointCloud2(*make_sphere<PointXYZ>(10), mesh.cloud);
+  mesh.polygons.resize(7);
+  ::testing::internal::CaptureStderr();
+  EXPECT_NO_THROW(filmsticking.reconstruct(mesh));
+  ::testing::internal::GetCapturedStderr();
+  EXPECT_EQ(filmsticking.getStatus(), status);
+  EXPECT_TRUE(mesh.cloud.data.empty());
+  EXPECT_EQ(mesh.cloud.width * mesh.cloud.height, 0u);
+  EXPECT_TRUE(mesh.polygons.empty());
+  const auto input = filmsticking.getInputCloud();
+  EXPECT_EQ(mesh.header.frame_id, input ? input->header.frame_id : "");
+}
+
+TEST(FilmstickingPP, MakesAClosedManifoldOfASphere) {
+  Class filmsticking;
+  filmsticking.setInputCloud(make_sphere<PointXYZ>(500));
+  const auto surface = run(filmsticking);
+  ASSERT_EQ(filmsticking.getStatus(), Status::Ok) << filmsticking.getStatusMessage();
+  EXPECT_TRUE(filmsticking.getStatusMessage().empty());
+  expect_good_surface(to_mesh(surface));
+  EXPECT_EQ(surface.points.size(), 500u);
+  EXPECT_EQ(surface.polygons.size(), 996u);
+  EXPECT_TRUE(filmsticking.getReport().closed);
+  EXPECT_TRUE(filmsticking.getReport().manifold);
+  EXPECT_EQ(filmsticking.getReport().points, 500);
+}
+
+TEST(FilmstickingPP, MakesAClosedManifoldOfBun0) {
+  pcl::FilmstickingPP<PointNormal> filmsticking;
+  filmsticking.setInputCloud(load_bunny());
+  const auto surface = run(filmsticking);
+  ASSERT_EQ(filmsticking.getStatus(), Status::Ok) << filmsticking.getStatusMessage();
+  expect_good_surface(to_mesh(surface));
+  EXPECT_GT(surface.points.size(), 350u);
+}
+
+TEST(FilmstickingPP, VerticesAreInputPointsWithAllFields) {
+  const auto cloud = load_bunny();
+  pcl::FilmstickingPP<PointNormal> filmsticking;
+  filmsticking.setInputCloud(cloud);
+  const auto surface = run(filmsticking);
+  const pcl::Indices& indices = filmsticking.getVertexIndices();
+  ASSERT_EQ(indices.size(), surface.points.size());
+  ASSERT_FALSE(indices.empty());
+  for (std::size_t k = 0; k < indices.size(); ++k)
+    ASSERT_EQ(std::memcmp(&surface.points[k], &(*cloud)[indices[k]], sizeof(PointNormal)), 0) << k;
+  EXPECT_EQ(std::set<int>(indices.begin(), indices.end()).size(), indices.size());
+}
+
+TEST(FilmstickingPP, PointsAreUnorganizedAndDense) {
+  auto cloud = make_sphere<PointXYZ>(500);
+  cloud->width = 50;
+  cloud->height = 10;
+  cloud->is_dense = false;
+  cloud->sensor_origin_ = Eigen::Vector4f(1, 2, 3, 0);
+  Class filmsticking;
+  filmsticking.setInputCloud(cloud);
+  const auto surface = run(filmsticking);
+  EXPECT_EQ(surface.points.width, surface.points.size());
+  EXPECT_EQ(surface.points.height, 1u);
+  EXPECT_TRUE(surface.points.is_dense);
+  EXPECT_EQ(surface.points.sensor_origin_, cloud->sensor_origin_);
+}
+
+TEST(FilmstickingPP, HeaderIsTheInputs) {
+  const auto cloud = make_sphere<PointXYZ>(200);
+  Class filmsticking;
+  filmsticking.setInputCloud(cloud);
+  pcl::PolygonMesh mesh;
+  filmsticking.reconstruct(mesh);
+  const auto surface = run(filmsticking);
+  for (const pcl::PCLHeader& header : {mesh.header, mesh.cloud.header, surface.points.header}) {
+    EXPECT_EQ(header.frame_id, cloud->header.frame_id);
+    EXPECT_EQ(header.stamp, cloud->header.stamp);
+    EXPECT_EQ(header.seq, cloud->header.seq);
+  }
+}
+
+TEST(FilmstickingPP, BothOverloadsMakeTheSameSurface) {
+  pcl::FilmstickingPP<PointNormal> filmsticking;
+  filmsticking.setInputCloud(load_bunny());
+  const auto surface = run(filmsticking);
+  pcl::PolygonMesh mesh;
+  filmsticking.reconstruct(mesh);
+  EXPECT_EQ(corners(mesh.polygons), corners(surface.polygons));
+  EXPECT_EQ(mesh.cloud.width, surface.points.size());
+  EXPECT_EQ(mesh.cloud.height, 1u);
+  EXPECT_TRUE(mesh.cloud.is_dense);
+  EXPECT_EQ(mesh.cloud.fields.size(), 7u);
+  pcl::PointCloud<PointNormal> points;
+  pcl::fromPCLPointCloud2(mesh.cloud, points);
+  ASSERT_EQ(points.size(), surface.points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    ASSERT_TRUE(same_coordinates(points[k], surface.points[k]));
+    ASSERT_EQ(points[k].curvature, surface.points[k].curvature);
+  }
+}
+
+TEST(FilmstickingPP, BaseClassPointerWorks) {
+  pcl::FilmstickingPP<PointXYZ>::Ptr object(new Class);
+  pcl::SurfaceReconstruction<PointXYZ>::Ptr base = object;
+  base->setInputCloud(make_sphere<PointXYZ>(200));
+  pcl::PolygonMesh mesh;
+  base->reconstruct(mesh);
+  EXPECT_EQ(mesh.polygons.size(), 396u);
+  EXPECT_EQ(base->getSearchMethod(), nullptr);  // none is built
+}
+
+TEST(FilmstickingPP, IndicesChooseThePoints) {
+  const auto cloud = make_sphere<PointXYZ>(600);
+  pcl::IndicesPtr even(new pcl::Indices);
+  for (int i = 598; i >= 0; i -= 2) even->push_back(i);
+  even->push_back(10);  // repeated
+  Class filmsticking;
+  filmsticking.setInputCloud(cloud);
+  filmsticking.setIndices(even);
+  const auto surface = run(filmsticking);
+  ASSERT_EQ(filmsticking.getStatus(), Status::Ok) << filmsticking.getStatusMessage();
+  expect_good_surface(to_mesh(surface));
+  const pcl::Indices& indices = filmsticking.getVertexIndices();
+  EXPECT_EQ(indices.size(), 300u);
+  ASSERT_EQ(indices.size(), surface.points.size());
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    EXPECT_EQ(indices[k] % 2, 0);
+    EXPECT_TRUE(same_coordinates(surface.points[k], (*cloud)[indices[k]]));
+  }
+}
+
+TEST(FilmstickingPP, ANewCloudIsNotReadWithTheOldOnesIndices) {
+  Class filmsticking;
+  filmsticking.setInputCloud(make_sphere<PointXYZ>(600));
+  EXPECT_EQ(run(filmsticking).points.size(), 600u);
+  filmsticking.setInputCloud(make_sphere<PointXYZ>(300));
+  EXPECT_EQ(run(filmsticking).points.size(), 300u);
+  filmsticking.setInputCloud(make_sphere<PointXYZ>(700));
+  EXPECT_EQ(run(filmsticking).points.size(), 700u);
+}
+
+TEST(FilmstickingPP, FullOutputsAreReplaced) {
+  Class filmsticking;
+  filmsticking.setInputCloud(make_sphere<PointXYZ>(200));
+  const auto expected = run(filmsticking);
+  Surface<PointXYZ> surface;
+  surface.points = *make_sphere<PointXYZ>(77);
+  surface.polygons.resize(5000);
+  filmsticking.reconstruct(surface.points, surface.polygons);
+  EXPECT_EQ(surface.points.size(), 200u);
+  EXPECT_EQ(corners(surface.polygons), corners(expected.polygons));
+}
+
+TEST(FilmstickingPP, TheInputCloudMayBeTheOutput) {
+  const auto cloud = make_sphere<PointXYZ>(200);
+  cloud->push_back(cloud->front());
+  cloud->push_back(PointXYZ(kNan, 0, 0));
+  Class filmsticking;
+  filmsticking.setInputCloud(cloud);
+  std::vector<pcl::Vertices> polygons;
+  filmsticking.reconstruct(*cloud, polygons);
+  EXPECT_EQ(filmsticking.getStatus(), Status::Ok) << filmsticking.getStatusMessage();
+  EXPECT_EQ(cloud->size(), 200u);
+  EXPECT_EQ(cloud->header.frame_id, "scanner");
+  EXPECT_EQ(polygons.size(), 396u);
+}
+
+TEST(FilmstickingPP, NotFiniteAndRepeatedPointsAreLeftOut) {
+  auto cloud = make_sphere<PointXYZ>(300);
+  cloud->is_dense = false;
+  cloud->push_back((*cloud)[5]);
+  cloud->push_back(PointXYZ(kNan, 1, 1));
+  cloud->push_back(PointXYZ(1, std::numeric_limits<float>::infinity(), 1));
+  std::shuffle(cloud->begin(), cloud->end(), std::mt19937(1));
+  Class filmsticking;
+  filmsticking.setInputCloud(cloud);
+  const auto surface = run(filmsticking);
+  ASSERT_EQ(filmsticking.getStatus(), Status::Ok) << filmsticking.getStatusMessage();
+  expect_good_surface(to_mesh(surface));
+  EXPECT_EQ(surface.points.size(), 300u);
+  EXPECT_EQ(filmsticking.getReport().non_finite, 2);
+  EXPECT_EQ(filmsticking.getReport().duplicates, 1);
+  for (std::size_t k = 0; k < surface.points.size(); ++k)
+    EXPECT_TRUE(same_coordinates(surface.points[k], (*cloud)[filmsticking.getVertexIndices()[k]]));
+}
+
+TEST(FilmstickingPP, NoInputCloudFails) {
+  Class filmsticking;
+  expect_failure(filmsticking, Status::TooFewPoints);
+}
+
+TEST(FilmstickingPP, AnEmptyCloudFails) {
+  Class filmsticking;
+  filmsticking.setInputCloud(make_sphere<PointXYZ>(0));
+  expect_failure(filmsticking, Status::TooFewPoints);
+}
+
+TEST(FilmstickingPP, ThreePointsFail) {
+  Class filmsticking;
+  filmsticking.setInputCloud(make_sphere<PointXYZ>(3));
+  expect_failure(filmsticking, Status::TooFewPoints);
+}
+
+TEST(FilmstickingPP, OnePointManyTimesFails) {
+  pcl::PointCloud<PointXYZ>::Ptr cloud(new pcl::PointCloud<PointXYZ>(100, 1, PointXYZ(1, 2, 3)));
+  Class filmsticking;
+  filmsticking.setInputCloud(cloud);
+  expect_failure(filmsticking, Status::TooFewPoints);
+}
+
+TEST(FilmstickingPP, OnlyNotFinitePointsFail) {
+  pcl::PointCloud<PointXYZ>::Ptr cloud(new pcl::PointCloud<PointXYZ>(100, 1, PointXYZ(kNan, kNan, kNan)));
+  Class filmsticking;
+  filmsticking.setInputCloud(cloud);
+  expect_failure(filmsticking, Status::TooFewPoints);
+}
+
+TEST(FilmstickingPP, CoplanarPointsFail) {
+  pcl::PointCloud<PointXYZ>::Ptr cloud(new pcl::PointCloud<PointXYZ>);
+  for (int i = 0; i < 100; ++i)
+    cloud->push_back(PointXYZ(static_cast<float>(i % 10), static_cast<float>(i / 10), 2));
+  Class filmsticking;
+  filmsticking.setInputCloud(cloud);
+  expect_failure(filmsticking, Status::Coplanar);
+}
+
+TEST(FilmstickingPP, IndicesOutsideTheCloudFail) {
+  for (const int wrong : {300, -1, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()}) {
+    pcl::IndicesPtr indices(new pcl::Indices{0, 1, 2, 3, 4, wrong});
+    Class filmsticking;
+    filmsticking.setInputCloud(make_sphere<PointXYZ>(300));
+    filmsticking.setIndices(indices);
+    expect_failure(filmsticking, Status::InvalidOptions);
+  }
+}
+
+TEST(FilmstickingPP, NoIndicesAtAllFail) {
+  Class filmsticking;
+  filmsticking.setInputCloud(make_sphere<PointXYZ>(300));
+  filmsticking.setIndices(pcl::IndicesPtr(new pcl::Indices));
+  expect_failure(filmsticking, Status::TooFewPoints);
+}
+
+TEST(FilmstickingPP, WrongOptionsFail) {
+  Class filmsticking;
+  filmsticking.setInputCloud(make_sphere<PointXYZ>(300));
+  filmsticking.setMaxSteps(0);
+  expect_failure(filmsticking, Status::InvalidOptions);
+}
+
+TEST(FilmstickingPP, WorksAgainAfterAFailure) {
+  Class filmsticking;
+  filmsticking.setInputCloud(make_sphere<PointXYZ>(3));
+  ::testing::internal::CaptureStderr();
+  run(filmsticking);
+  ::testing::internal::GetCapturedStderr();
+  filmsticking.setInputCloud(make_sphere<PointXYZ>(300));
+  EXPECT_EQ(run(filmsticking).points.size(), 300u);
+  EXPECT_EQ(filmsticking.getStatus(), Status::Ok);
+  EXPECT_TRUE(filmsticking.getStatusMessage().empty());
+}
+
+TEST(FilmstickingPP, ResultDependsOnTheInputAlone) {
+  pcl::FilmstickingPP<PointNormal> first, second;
+  first.setInputCloud(load_bunny());
+  second.setInputCloud(load_bunny());
+  second.setNumberOfThreads(1);
+  const auto expected = run(first);
+  for (auto* object : {&first, &second}) {
+    const auto surface = run(*object);
+    EXPECT_EQ(corners(surface.polygons), corners(expected.polygons));
+    EXPECT_EQ(object->getVertexIndices(), first.getVertexIndices());
+  }
+}
+
+TEST(FilmstickingPP, ProgressNeverFalls) {
+  Class filmsticking;
+  filmsticking.setInputCloud(make_sphere<PointXYZ>(300));
+  const std::thread::id caller = std::this_thread::get_id();
+  std::vector<double> shares;
+  filmsticking.setProgressCallback([&](double share, const char* room) {
+    EXPECT_NE(room, nullptr);
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    shares.push_back(share);
+  });
+  run(filmsticking);
+  ASSERT_FALSE(shares.empty());
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_GE(shares.front(), 0);
+  EXPECT_LE(shares.back(), 1);
+}
+
+TEST(FilmstickingPP, CancelFromTheCallbackStops) {
+  Class filmsticking;
+  filmsticking.setInputCloud(make_sphere<PointXYZ>(2000));
+  filmsticking.setProgressCallback([&](double, const char*) { filmsticking.cancel(); });
+  expect_failure(filmsticking, Status::Cancelled);
+  filmsticking.setProgressCallback(nullptr);
+  EXPECT_EQ(run(filmsticking).points.size(), 2000u);
+}
+
+TEST(FilmstickingPP, CancelFromAnotherThreadStops) {
+  Class filmsticking;
+  filmsticking.setInputCloud(make_sphere<PointXYZ>(2000));
+  std::thread canceller;
+  filmsticking.setProgressCallback([&](double, const char*) {
+    if (canceller.joinable()) return;
+    canceller = std::thread([&] { filmsticking.cancel(); });
+    canceller.join();
+    canceller = std::thread([] {});
+  });
+  ::testing::internal::CaptureStderr();
+  const auto surface = run(filmsticking);
+  ::testing::internal::GetCapturedStderr();
+  ASSERT_TRUE(canceller.joinable());
+  canceller.join();
+  EXPECT_EQ(filmsticking.getStatus(), Status::Cancelled);
+  EXPECT_TRUE(surface.points.empty());
+}
+
+TEST(FilmstickingPP, CancelWithoutARunDoesNothing) {
+  Class filmsticking;
+  filmsticking.setInputCloud(make_sphere<PointXYZ>(300));
+  filmsticking.cancel();
+  EXPECT_EQ(run(filmsticking).points.size(), 300u);
+}
+
+TEST(FilmstickingPP, AThrowingCallbackIsAFailure) {
+  Class filmsticking;
+  filmsticking.setInputCloud(make_sphere<PointXYZ>(300));
+  filmsticking.setProgressCallback(
+      [](double, const char*) { throw std::runtime_error("from the callback"); });
+  expect_failure(filmsticking, Status::InternalError);
+}
+
+TEST(FilmstickingPP, ACopyIsAnObjectOfItsOwn) {
+  Class first;
+  first.setInputCloud(make_sphere<PointXYZ>(300));
+  first.setMaxRounds(2);
+  Class second = first;
+  second.setProgressCallback([&](double, const char*) { first.cancel(); });
+  EXPECT_EQ(second.getMaxRounds(), 2);
+  EXPECT_EQ(run(second).points.size(), 300u);
+}
+
+TEST(FilmstickingPP, OptionsAreKept) {
+  Class filmsticking;
+  const Options defaults;
+  EXPECT_EQ(filmsticking.getInitialSurface(), defaults.initial_surface);
+  EXPECT_EQ(filmsticking.getVirtualSites(), defaults.virtual_sites);
+  filmsticking.setInitialSurface(InitialSurface::Wrap);
+  filmsticking.setFieldMethod(FieldMethod::Poisson);
+  filmsticking.setRingChoice(RingChoice::Nearest);
+  filmsticking.setVirtualSites(123);
+  filmsticking.setUseWeights(false);
+  filmsticking.setInsertLeftover(false);
+  filmsticking.setMaxSteps(7);
+  filmsticking.setMaxRounds(3);
+  filmsticking.setNumberOfThreads(1);
+  const Options& options = filmsticking.getOptions();
+  EXPECT_EQ(options.initial_surface, InitialSurface::Wrap);
+  EXPECT_EQ(options.field, FieldMethod::Poisson);
+  EXPECT_EQ(options.ring, RingChoice::Nearest);
+  EXPECT_EQ(options.virtual_sites, 123);
+  EXPECT_FALSE(options.weights);
+  EXPECT_FALSE(options.insert_leftover);
+  EXPECT_EQ(options.max_steps, 7);
+  EXPECT_EQ(options.max_rounds, 3);
+  EXPECT_EQ(options.threads, 1);
+  Class other;
+  other.setOptions(options);
+  EXPECT_EQ(other.getInitialSurface(), InitialSurface::Wrap);
+  EXPECT_EQ(other.getFieldMethod(), FieldMethod::Poisson);
+  EXPECT_EQ(other.getRingChoice(), RingChoice::Nearest);
+  EXPECT_EQ(other.getVirtualSites(), 123);
+  EXPECT_FALSE(other.getUseWeights());
+  EXPECT_FALSE(other.getInsertLeftover());
+  EXPECT_EQ(other.getMaxSteps(), 7);
+  EXPECT_EQ(other.getMaxRounds(), 3);
+  EXPECT_EQ(other.getNumberOfThreads(), 1);
+}
+
+TEST(FilmstickingPP, StartsFromAGivenSurface) {
+  // The surface of a coarse sphere, twice as large.
+  Class maker;
+  maker.setInputCloud(make_sphere<PointXYZ>(60));
+  pcl::PolygonMesh guide;
+  maker.reconstruct(guide);
+  pcl::PointCloud<PointXYZ> points;
+  pcl::fromPCLPointCloud2(guide.cloud, points);
+  for (PointXYZ& p : points) p.getVector3fMap() *= 2;
+  pcl::toPCLPointCloud2(points, guide.cloud);
+
+  Class filmsticking;
+  filmsticking.setGuidingSurface(guide);
+  EXPECT_EQ(filmsticking.getInitialSurface(), InitialSurface::Given);
+  ASSERT_NE(filmsticking.getGuidingSurface(), nullptr);
+  EXPECT_EQ(filmsticking.getGuidingSurface()->positions.size(), 60u);
+  EXPECT_EQ(filmsticking.getGuidingSurface()->triangles.size(), 116u);
+  filmsticking.setInputCloud(make_sphere<PointXYZ>(500));
+  const auto surface = run(filmsticking);
+  ASSERT_EQ(filmsticking.getStatus(), Status::Ok) << filmsticking.getStatusMessage();
+  EXPECT_EQ(surface.points.size(), 500u);
+  expect_good_surface(to_mesh(surface));
+}
+
+TEST(FilmstickingPP, ABrokenGivenSurfaceFails) {
+  pcl::PolygonMesh guide;
+  pcl::toPCLPointCloud2(*make_sphere<PointXYZ>(4), guide.cloud);
+  guide.polygons.resize(1);
+  for (const pcl::Indices& polygon :
+       {pcl::Indices{0, 1, 2}, pcl::Indices{0, 1, 99}, pcl::Indices{0, 1, -5}}) {
+    guide.polygons[0].vertices = polygon;
+    Class filmsticking;
+    filmsticking.setInputCloud(make_sphere<PointXYZ>(300));
+    filmsticking.setGuidingSurface(guide);
+    expect_failure(filmsticking, Status::InvalidGuidingSurface);
+  }
+}
+
+}  // namespace
+}  // namespace filmsticking::test
