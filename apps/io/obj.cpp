@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "float_exact.h"
 #include "io_error.h"
 #include "number_text.h"
 #include "text_scanner.h"
@@ -63,17 +62,12 @@ Model decode_obj(std::string_view bytes) {
 }
 
 std::string encode_obj(const Model& model) {
-  const bool single = float_exact(model.positions);
   std::string text;
   for (std::size_t i = 0; i < model.positions.size(); ++i) {
     text += "v";
     for (const double x : model.positions[i]) {
       text += ' ';
-      if (single) {
-        append_number(text, static_cast<float>(x));
-      } else {
-        append_number(text, x);
-      }
+      append_number(text, x);  // as double: readers may take the text for either precision
     }
     if (!model.colours.empty())
       for (const std::uint8_t channel : model.colours[i]) {

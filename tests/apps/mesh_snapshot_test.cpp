@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// mesh_snapshot as a user runs it; what it drew is judged by its pixels.
+#include <gtest/gtest.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "io/model_file.h"
+#include "run_program.h"
+#include "scratch_folder.h"
+
+namespace filmsticking::test {
+namespace {
+
+using io::Model;
+
+/// A cube; `hole` leaves one side out, `inside_out` turns its faces.
+Model cube(bool hole, bool inside_out) {
+  Model model;
+  for (int i = 0; i < 8; ++i)
+    model.positions.push_back({double(i & 1), double(i >> 1 & 1), double(i >> 2 & 1)});
+  model.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                     {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {2, 6, 7}, {2, 7, 3}};
+  if (hole) model.triangles.resize(10);
+  if (inside_out)
+    for (Triangle& t : model.triangles) std::swap(t[1], t[2]);
+  return model;
+}
+
+Outcome mesh_snapshot(const std::vector<std::string>& arguments) {
+  std::vector<std::string> command = {XVFB_RUN, "-a", MESH_SNAPSHOT};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return run_program(command);
+}
+
+/// The shares of a part of a picture.
+struct Pixels {
+  int width = 0, height = 0;
+  double white = 0, red = 0, grey = 0, blue = 0, violet = 0;
+};
+
+/// Counts the columns of pixels from `begin` to `end`, both as shares of the width.
+Pixels read_pixels(const std::string& path, double begin = 0, double end = 1) {
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkImageData* image = reader->GetOutput();
+  Pixels pixels;
+  pixels.width = image->GetDimensions()[0];
+  pixels.height = image->GetDimensions()[1];
+  double count = 0;
+  for (int x = static_cast<int>(begin * pixels.width); x < static_cast<int>(end * pixels.width); ++x)
+    for (int y = 0; y < pixels.height; ++y) {
+      const auto* rgb = static_cast<const unsigned char*>(image->GetScalarPointer(x, y, 0));
+      const int r = rgb[0], g = rgb[1], b = rgb[2];
+      ++count;
+      if (std::min({r, g, b}) > 250) {
+        ++pixels.white;
+      } else if (r > 2 * g + 20 && r > 2 * b + 20) {
+        ++pixels.red;
+      } else if (b > g + 60 && r > g + 60) {
+        ++pixels.violet;
+      } else if (b > r + 60) {
+        ++pixels.blue;
+      } else {
+        ++pixels.grey;
+      }
+    }
+  for (double* share : {&pixels.white, &pixels.red, &pixels.grey, &pixels.blue, &pixels.violet})
+    *share /= count;
+  return pixels;
+}
+
+class MeshSnapshot : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::string(XVFB_RUN).find("NOTFOUND") != std::string::npos)
+      GTEST_SKIP() << "xvfb-run is not installed";
+  }
+  ScratchFolder folder_;
+};
+
+TEST_F(MeshSnapshot, DrawsAClosedMeshWithoutRed) {
+  io::write_model(folder_ / "cube.ply", cube(false, false));
+  const Outcome outcome = mesh_snapshot({folder_ / "cube.ply", "-o", folder_ / "cube.png"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Pixels pixels = read_pixels(folder_ / "cube.png");
+  EXPECT_EQ(pixels.width, 700);
+  EXPECT_EQ(pixels.height, 700);
+  EXPECT_GT(pixels.grey, 0.4);
+  EXPECT_GT(pixels.white, 0.2);
+  EXPECT_EQ(pixels.red, 0);
+  EXPECT_EQ(pixels.violet, 0);
+  EXPECT_EQ(folder_.count(), 2u);
+}
+
+TEST_F(MeshSnapshot, InsideOutIsRedAndHolesHaveRedEdges) {
+  io::write_model(folder_ / "turned.ply", cube(false, true));
+  io::write_model(folder_ / "open.obj", cube(true, false));
+  const Outcome outcome = mesh_snapshot({folder_ / "turned.ply", folder_ / "open.obj", "-o",
+                                         folder_ / "two.png", "--size", "600x300", "--view", "30,-20"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Pixels turned = read_pixels(folder_ / "two.png", 0, 0.5),
+               open = read_pixels(folder_ / "two.png", 0.5, 1);
+  EXPECT_EQ(turned.width, 600);
+  EXPECT_EQ(turned.height, 300);
+  EXPECT_GT(turned.red, 0.4);
+  EXPECT_LT(turned.grey, 0.02);
+  EXPECT_GT(open.red, 0.001);  // lines, seen from below
+  EXPECT_LT(open.red, 0.1);
+  EXPECT_GT(open.grey, 0.3);
+}
+
+TEST_F(MeshSnapshot, TheInsideShowsThroughAHole) {
+  io::write_model(folder_ / "open.ply", cube(true, false));
+  ASSERT_EQ(mesh_snapshot({folder_ / "open.ply", "-o", folder_ / "open.png", "--view=30,60"}).status, 0);
+  EXPECT_GT(read_pixels(folder_ / "open.png").red, 0.1);
+}
+
+TEST_F(MeshSnapshot, EdgesWithThreeFacesAreViolet) {
+  Model model = cube(false, false);
+  model.positions.push_back({2, 2, 2});
+  model.triangles.push_back({6, 7, 8});
+  io::write_model(folder_ / "fin.ply", model);
+  ASSERT_EQ(mesh_snapshot({folder_ / "fin.ply", "-o", folder_ / "fin.png"}).status, 0);
+  EXPECT_GT(read_pixels(folder_ / "fin.png").violet, 0.0005);
+}
+
+TEST_F(MeshSnapshot, EveryFormatGivesTheSamePicture) {
+  std::vector<std::string> arguments;
+  for (const char* name : {"cube.ply", "cube.obj", "cube.stl", "cube.vtk"}) {
+    io::write_model(folder_ / name, cube(false, false));
+    arguments.push_back(folder_ / name);
+  }
+  for (const char* word : {"--columns", "4", "--size", "800x200", "-o"}) arguments.push_back(word);
+  arguments.push_back(folder_ / "all.png");
+  const Outcome outcome = mesh_snapshot(arguments);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const double first = read_pixels(folder_ / "all.png", 0, 0.25).grey;
+  EXPECT_GT(first, 0.4);
+  for (const double begin : {0.25, 0.5, 0.75})
+    EXPECT_NEAR(read_pixels(folder_ / "all.png", begin, begin + 0.25).grey, first, 0.002);
+}
+
+TEST_F(MeshSnapshot, PointsEdgesLabelsAndRowsAreDrawn) {
+  io::write_model(folder_ / "cube.ply", cube(false, false));
+  const std::string mesh = folder_ / "cube.ply";
+  const Outcome outcome =
+      mesh_snapshot({mesh, mesh, mesh, "--points", TEST_DATA "/spot_10k.ply", "--edges", "--labels",
+                     "--columns", "2", "--up", "z", "-o", folder_ / "all.png"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Pixels pixels = read_pixels(folder_ / "all.png");
+  EXPECT_EQ(pixels.width, 1400);
+  EXPECT_EQ(pixels.height, 1400);
+  EXPECT_GT(pixels.blue, 0.005);
+}
+
+TEST_F(MeshSnapshot, LargeCoordinatesAreDrawnSharp) {
+  Model model = cube(false, false);
+  for (Point& p : model.positions) p = {p[0] * 0.01 + 500000.1, p[1] * 0.01 + 4649776.7, p[2] * 0.01 + 123.4};
+  io::write_model(folder_ / "far.ply", model);
+  ASSERT_EQ(mesh_snapshot({folder_ / "far.ply", "-o", folder_ / "far.png"}).status, 0);
+  const Pixels pixels = read_pixels(folder_ / "far.png");
+  EXPECT_GT(pixels.grey, 0.4);
+  EXPECT_EQ(pixels.red, 0);
+}
+
+TEST_F(MeshSnapshot, FailsInOneSentence) {
+  io::write_model(folder_ / "cube.ply", cube(false, false));
+  const std::string mesh = folder_ / "cube.ply", png = folder_ / "cube.png";
+  const std::vector<std::pair<int, std::vector<std::string>>> cases = {
+      {2, {}},
+      {2, {mesh}},
+      {2, {"-o", png}},
+      {2, {mesh, "-o", folder_ / "cube.jpg"}},
+      {2, {mesh, "-o", png, "--size", "big"}},
+      {2, {mesh, "-o", png, "--size", "99999x9"}},
+      {2, {mesh, "-o", png, "--view", "1"}},
+      {2, {mesh, "-o", png, "--view", "0,91"}},
+      {2, {mesh, "-o", png, "--columns", "0"}},
+      {2, {mesh, "-o", png, "--up", "x"}},
+      {2, {mesh, "-o", png, "--nonsense"}},
+      {1, {folder_ / "missing.ply", "-o", png}},
+      {1, {TEST_DATA "/spot_10k.ply", "-o", png}},  // points only
+      {1, {mesh, "-o", folder_ / "no/such/cube.png"}},
+      {1, {mesh, "-o", png, "--points", folder_ / "missing.pcd"}},
+  };
+  for (const auto& [status, arguments] : cases) {
+    const Outcome outcome = mesh_snapshot(arguments);
+    EXPECT_EQ(outcome.status, status);
+    const std::string said = outcome.out + outcome.err;  // xvfb-run joins the two
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    EXPECT_EQ(said.rfind("mesh_snapshot: ", 0), 0u) << said;
+    EXPECT_EQ(folder_.count(), 1u);
+  }
+}
+
+TEST_F(MeshSnapshot, SaysThatItNeedsADisplay) {
+  io::write_model(folder_ / "cube.ply", cube(false, false));
+  const Outcome outcome = run_program(
+      {"/usr/bin/env", "-u", "DISPLAY", MESH_SNAPSHOT, folder_ / "cube.ply", "-o", folder_ / "cube.png"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_NE(outcome.err.find("xvfb-run"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace filmsticking::test

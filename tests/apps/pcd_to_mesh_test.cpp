@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// pcd_to_mesh as a user runs it, on real clouds.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/property_tree/json_parser.hpp>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <thread>
+
+#include "io/files.h"
+#include "io/model_file.h"
+#include "run_program.h"
+#include "scratch_folder.h"
+#include "support/surface_check.h"
+
+namespace filmsticking::test {
+namespace {
+
+namespace fs = std::filesystem;
+using io::Model;
+
+const std::string kBunny = TEST_DATA "/bun0.pcd", kSpot = TEST_DATA "/spot_10k.ply";
+
+Outcome pcd_to_mesh(std::vector<std::string> arguments,
+                    const std::function<void(pid_t)>& while_running = nullptr) {
+  arguments.insert(arguments.begin(), PCD_TO_MESH);
+  return run_program(arguments, while_running);
+}
+
+void expect_surface_through(const Model& mesh, const Model& cloud) {
+  const Mesh surface{mesh.positions, mesh.triangles};
+  EXPECT_EQ(surface_fault(surface), "");
+  EXPECT_GT(signed_volume(surface), 0);
+  const std::set<Point> points(cloud.positions.begin(), cloud.positions.end());
+  for (const Point& p : mesh.positions) ASSERT_TRUE(points.count(p));
+}
+
+/// One sentence on stderr, a status that is not 0, and nothing in the folder that was not there.
+void expect_failure(const std::vector<std::string>& arguments, const ScratchFolder& folder, int status) {
+  const std::size_t before = folder.count();
+  const Outcome outcome = pcd_to_mesh(arguments);
+  EXPECT_EQ(outcome.status, status) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_EQ(outcome.err.rfind("pcd_to_mesh: ", 0), 0u) << outcome.err;
+  EXPECT_GT(outcome.err.size(), 20u);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(folder.count(), before) << outcome.err;
+}
+
+TEST(PcdToMesh, MakesAMeshOfBun0) {
+  const ScratchFolder folder;
+  const Outcome outcome = pcd_to_mesh({kBunny, folder / "bunny.ply"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");  // no progress bar off a terminal
+  EXPECT_NE(outcome.out.find("397 points"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("closed, manifold"), std::string::npos) << outcome.out;
+  expect_surface_through(io::read_model(folder / "bunny.ply"), io::read_model(kBunny));
+  EXPECT_EQ(folder.count(), 1u);
+}
+
+TEST(PcdToMesh, MakesAMeshOfSpot) {
+  const ScratchFolder folder;
+  const Outcome outcome = pcd_to_mesh({kSpot, folder / "spot.ply", "--report", folder / "spot.json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Model mesh = io::read_model(folder / "spot.ply");
+  expect_surface_through(mesh, io::read_model(kSpot));
+  EXPECT_GT(mesh.positions.size(), 9900u);
+
+  boost::property_tree::ptree report;
+  boost::property_tree::read_json(folder / "spot.json", report);
+  EXPECT_EQ(report.get<std::string>("status"), "Ok");
+  EXPECT_EQ(report.get<std::string>("message"), "");
+  EXPECT_EQ(report.get<int>("points"), 10000);
+  EXPECT_EQ(report.get<int>("sites"), 10000);
+  EXPECT_EQ(report.get<std::size_t>("vertices"), mesh.positions.size());
+  EXPECT_EQ(report.get<std::size_t>("triangles"), mesh.triangles.size());
+  EXPECT_EQ(report.get<int>("interpolated"), report.get<int>("vertices"));
+  EXPECT_GT(report.get<double>("interpolated_share"), 0.99);
+  EXPECT_TRUE(report.get<bool>("closed"));
+  EXPECT_TRUE(report.get<bool>("manifold"));
+  EXPECT_EQ(report.get<int>("genus"), 0);
+  EXPECT_EQ(report.get<int>("components"), 1);
+  EXPECT_GT(report.get<double>("seconds"), 0);
+  EXPECT_GT(report.get<double>("peak_memory_bytes"), 1e6);
+  ASSERT_GT(report.get_child("steps").size(), 0u);
+  for (const auto& [name, step] : report.get_child("steps")) {
+    for (const char* field : {"round", "attracted", "virtual_left", "weighted", "regions_repaired"})
+      EXPECT_GE(step.get<int>(field), 0);
+    EXPECT_GE(step.get<double>("seconds"), 0);
+  }
+  ASSERT_GT(report.get_child("rooms").size(), 0u);
+  for (const auto& [name, room] : report.get_child("rooms")) EXPECT_NE(room.get<std::string>("room"), "");
+}
+
+TEST(PcdToMesh, ReadsEveryFormatToTheSameMesh) {
+  const ScratchFolder folder;
+  const Model cloud = io::read_model(kBunny);
+  io::write_model(folder / "cloud.ply", {cloud.positions, {}, {}});
+  io::write_model(folder / "cloud.obj", {cloud.positions, {}, {}});
+  for (const char* name : {"cloud.xyz", "cloud.TXT"}) {
+    std::ofstream text(folder / name);
+    text.precision(17);
+    for (const Point& p : cloud.positions) text << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  }
+  ASSERT_EQ(pcd_to_mesh({kBunny, folder / "expected.ply"}).status, 0);
+  const std::string expected = io::read_file(folder / "expected.ply");
+  for (const char* name : {"cloud.ply", "cloud.obj", "cloud.xyz", "cloud.TXT"}) {
+    const Outcome outcome = pcd_to_mesh({folder / name, folder / "mesh.ply"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(io::read_file(folder / "mesh.ply") == expected) << name;
+  }
+}
+
+TEST(PcdToMesh, WritesEveryFormatWithTheSameBits) {
+  const ScratchFolder folder;
+  ASSERT_EQ(pcd_to_mesh({kBunny, folder / "mesh.ply"}).status, 0);
+  const Model expected = io::read_model(folder / "mesh.ply");
+  for (const char* name : {"mesh.obj", "mesh.vtk", "mesh.stl"}) {
+    const Outcome outcome = pcd_to_mesh({kBunny, folder / name});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const Model mesh = io::read_model(folder / name);
+    const auto corner_points = [](const Model& model) {  // STL keeps no numbers of vertices
+      std::vector<Point> points;
+      for (const Triangle& t : model.triangles)
+        for (const int k : t) points.push_back(model.positions[k]);
+      return points;
+    };
+    EXPECT_EQ(corner_points(mesh), corner_points(expected)) << name;
+    EXPECT_EQ(mesh.positions.size(), expected.positions.size());
+  }
+}
+
+TEST(PcdToMesh, LargeDoubleCoordinatesAreKept) {
+  const ScratchFolder folder;
+  Model cloud = io::read_model(kBunny);
+  for (Point& p : cloud.positions) p = {p[0] * 10 + 500000.1, p[1] * 10 + 4649776.7, p[2] * 10 + 123.4};
+  io::write_model(folder / "cloud.ply", cloud);
+  for (const char* name : {"mesh.ply", "mesh.obj", "mesh.vtk"}) {
+    const Outcome outcome = pcd_to_mesh({folder / "cloud.ply", folder / name});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    expect_surface_through(io::read_model(folder / name), cloud);
+  }
+}
+
+TEST(PcdToMesh, ColoursGoWithTheirPoints) {
+  const ScratchFolder folder;
+  Model cloud = io::read_model(kBunny);
+  std::map<Point, io::Colour> colour_of;
+  for (std::size_t i = 0; i < cloud.positions.size(); ++i) {
+    cloud.colours.push_back({static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i / 2), 77});
+    colour_of[cloud.positions[i]] = cloud.colours.back();
+  }
+  io::write_model(folder / "cloud.ply", cloud);
+  ASSERT_EQ(pcd_to_mesh({folder / "cloud.ply", folder / "mesh.ply"}).status, 0);
+  const Model mesh = io::read_model(folder / "mesh.ply");
+  ASSERT_EQ(mesh.colours.size(), mesh.positions.size());
+  for (std::size_t k = 0; k < mesh.positions.size(); ++k)
+    EXPECT_EQ(mesh.colours[k], colour_of.at(mesh.positions[k]));
+}
+
+TEST(PcdToMesh, TheMeshDoesNotDependOnTheThreads) {
+  const ScratchFolder folder;
+  ASSERT_EQ(pcd_to_mesh({kBunny, folder / "one.ply", "--threads", "1"}).status, 0);
+  ASSERT_EQ(pcd_to_mesh({kBunny, folder / "two.ply", "--threads=2"}).status, 0);
+  EXPECT_TRUE(io::read_file(folder / "one.ply") == io::read_file(folder / "two.ply"));
+}
+
+TEST(PcdToMesh, EveryOptionWorks) {
+  const std::vector<std::vector<std::string>> choices = {
+      {"--preset", "default"},
+      {"--preset", "paper"},
+      {"--init", "sphere"},
+      {"--init", "wrap"},
+      {"--init", "carve"},
+      {"--field", "poisson"},
+      {"--field", "sculpt"},
+      {"--field", "none"},
+      {"--ring", "smooth"},
+      {"--ring", "nearest"},
+      {"--virtual-sites", "0"},
+      {"--virtual-sites", "200"},
+      {"--virtual-sites", "adaptive"},
+      {"--no-weights"},
+      {"--no-insert"},
+      {"--max-steps", "3"},
+      {"--max-rounds", "1"},
+  };
+  const ScratchFolder folder;
+  const Model cloud = io::read_model(kBunny);
+  for (const auto& choice : choices) {
+    std::vector<std::string> arguments = {kBunny, folder / "mesh.ply"};
+    arguments.insert(arguments.end(), choice.begin(), choice.end());
+    fs::remove(folder / "mesh.ply");
+    const Outcome outcome = pcd_to_mesh(arguments);
+    ASSERT_EQ(outcome.status, 0) << choice[0] << " " << choice.back() << ": " << outcome.err;
+    SCOPED_TRACE(choice[0] + " " + choice.back());
+    expect_surface_through(io::read_model(folder / "mesh.ply"), cloud);
+  }
+}
+
+TEST(PcdToMesh, DumpsTheFilmOfEachStep) {
+  const ScratchFolder folder;
+  const Outcome outcome = pcd_to_mesh({kBunny, folder / "mesh.ply", "--dump-steps", folder / "new/steps"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  ASSERT_TRUE(fs::exists(folder / "new/steps/step_000.ply"));
+  ASSERT_TRUE(fs::exists(folder / "new/steps/step_001.ply"));
+  for (const auto& entry : fs::directory_iterator(folder / "new/steps")) {
+    const Model film = io::read_model(entry.path().string());
+    EXPECT_EQ(surface_fault({film.positions, film.triangles}), "") << entry.path();
+  }
+}
+
+TEST(PcdToMesh, HelpAndVersionGoToStdout) {
+  for (const char* option : {"--help", "--version"}) {
+    const Outcome outcome = pcd_to_mesh({option});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.out.find("pcd_to_mesh"), std::string::npos);
+    EXPECT_EQ(outcome.err, "");
+  }
+  const std::string help = pcd_to_mesh({"--help"}).out;
+  for (const char* option :
+       {"--report", "--preset", "--init", "--field", "--ring", "--virtual-sites", "--no-weights",
+        "--no-insert", "--max-steps", "--max-rounds", "--threads", "--dump-steps", "--version"})
+    EXPECT_NE(help.find(option), std::string::npos) << option;
+}
+
+TEST(PcdToMesh, WrongCommandLinesFailInOneSentence) {
+  const ScratchFolder folder;
+  const std::string mesh = folder / "mesh.ply";
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {},
+           {kBunny},
+           {kBunny, mesh, "third"},
+           {kBunny, mesh, "--nonsense"},
+           {kBunny, mesh, "--thr", "1"},
+           {kBunny, mesh, "--threads"},
+           {kBunny, mesh, "--threads", "-1"},
+           {kBunny, mesh, "--threads", "two"},
+           {kBunny, mesh, "--threads", "99999999999"},
+           {kBunny, mesh, "--max-steps", "0"},
+           {kBunny, mesh, "--max-rounds", "0"},
+           {kBunny, mesh, "--virtual-sites", "-3"},
+           {kBunny, mesh, "--virtual-sites", "many"},
+           {kBunny, mesh, "--init", "cube"},
+           {kBunny, mesh, "--field", "magnetic"},
+           {kBunny, mesh, "--ring", "wedding"},
+           {kBunny, mesh, "--preset", "fast"},
+           {kBunny, mesh, "--threads", "1", "--threads", "2"},
+       })
+    expect_failure(arguments, folder, 2);
+}
+
+TEST(PcdToMesh, BadInputsFailInOneSentence) {
+  const ScratchFolder folder;
+  const std::map<std::string, std::string> files = {
+      {"empty.ply", ""},
+      {"noise.ply", "noise"},
+      {"noise.pcd", "noise"},
+      {"noise.stl", "noise"},
+      {"noise.obj", "noise"},
+      {"noise.xyz", "noise"},
+      {"three.xyz", "0 0 0\n1 0 0\n0 1 0\n"},
+      {"repeated.xyz", "0 0 0\n1 0 0\n0 1 0\n0 1 0\n0 1 0\n"},
+      {"flat.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 1 0\n"},
+      {"nan.xyz", "nan nan nan\nnan nan nan\nnan nan nan\nnan nan nan\nnan nan nan\n"},
+      {"unknown.las", "LASF"},
+  };
+  for (const auto& [name, text] : files) std::ofstream(folder / name) << text;
+  for (const auto& [name, text] : files) expect_failure({folder / name, folder / "mesh.ply"}, folder, 1);
+  expect_failure({folder / "missing.ply", folder / "mesh.ply"}, folder, 1);
+  expect_failure({folder.path().string(), folder / "mesh.ply"}, folder, 1);
+}
+
+TEST(PcdToMesh, BadOutputsFailInOneSentence) {
+  const ScratchFolder folder;
+  fs::create_directory(folder / "folder.ply");
+  fs::copy_file(kBunny, folder / "cloud.pcd");
+  io::write_model(folder / "cloud.ply", io::read_model(kBunny));
+  expect_failure({kBunny, folder / "mesh.foo"}, folder, 1);
+  expect_failure({kBunny, folder / "mesh"}, folder, 1);
+  expect_failure({kBunny, folder / "folder.ply"}, folder, 1);
+  expect_failure({kBunny, folder / "no/such/mesh.ply"}, folder, 1);
+  expect_failure({folder / "cloud.ply", folder / "cloud.ply"}, folder, 1);
+  expect_failure({kBunny, folder / "mesh.ply", "--report", folder / "no/such/report.json"}, folder, 1);
+  expect_failure({kBunny, folder / "mesh.ply", "--dump-steps", folder / "cloud.pcd"}, folder, 1);
+}
+
+TEST(PcdToMesh, AFailedRunKeepsTheOldMeshAndReports) {
+  const ScratchFolder folder;
+  std::ofstream(folder / "flat.xyz") << "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 1 0\n";
+  std::ofstream(folder / "mesh.ply") << "an old mesh";
+  const Outcome outcome =
+      pcd_to_mesh({folder / "flat.xyz", folder / "mesh.ply", "--report", folder / "report.json"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(io::read_file(folder / "mesh.ply"), "an old mesh");
+  boost::property_tree::ptree report;
+  boost::property_tree::read_json(folder / "report.json", report);
+  EXPECT_EQ(report.get<std::string>("status"), "Coplanar");
+  EXPECT_NE(report.get<std::string>("message"), "");
+  EXPECT_EQ(report.get<int>("triangles"), 0);
+}
+
+TEST(PcdToMesh, InterruptionEndsItCleanly) {
+  const ScratchFolder folder;
+  const std::string first_film = folder / "steps/step_000.ply";
+  const Outcome outcome =
+      pcd_to_mesh({kSpot, folder / "mesh.ply", "--dump-steps", folder / "steps"}, [&](pid_t program) {
+        for (int i = 0; i < 3000 && !fs::exists(first_film); ++i)
+          std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        kill(program, SIGINT);
+      });
+  EXPECT_EQ(outcome.status, 130) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_FALSE(fs::exists(folder / "mesh.ply"));
+  EXPECT_EQ(folder.count(), 1u);  // the steps
+}
+
+}  // namespace
+}  // namespace filmsticking::test
