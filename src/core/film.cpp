@@ -11,9 +11,6 @@
 #include "triangle_adjacency.h"
 
 namespace filmsticking {
-namespace {
-
-// A film over sites from triangles of sites; triangles in a canonical order.
 GuidingSurface film_of_sites(std::vector<Corners> triangles, const std::vector<Vec3>& sites) {
   GuidingSurface film;
   std::vector<Index> vertex(sites.size(), kNone);
@@ -40,8 +37,6 @@ std::uint64_t connectivity_hash(const GuidingSurface& film) {
     for (Index v : t) h = (h ^ static_cast<std::uint64_t>(film.site[v] + 1)) * 1099511628211ULL, h ^= h >> 29;
   return h;
 }
-
-}  // namespace
 
 GuidingSurface film_step(const GuidingSurface& film, const PowerDiagram& diagram, RingChoice ring,
                          RepairCounts& counts) {

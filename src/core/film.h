@@ -19,6 +19,12 @@ namespace filmsticking {
 GuidingSurface film_step(const GuidingSurface& film, const PowerDiagram& diagram, RingChoice ring,
                          RepairCounts& counts);
 
+/// A film from triangles of sites, in a canonical order.
+GuidingSurface film_of_sites(std::vector<Corners> triangles, const std::vector<Vec3>& sites);
+
+/// The same number for the same triangles of sites; others differ but for chance.
+std::uint64_t connectivity_hash(const GuidingSurface& film);
+
 /// How a film evolves.
 struct FilmOptions {
   RingChoice ring = RingChoice::Smooth;

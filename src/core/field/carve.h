@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "tetrahedral_mesh.h"
+
+namespace filmsticking {
+
+/// For each tetrahedron the largest ball that can roll to it from infinity, relative to what the samples it
+/// must pass cover: the best way's narrowest facet, measured by its empty circle over the spacing of its
+/// corners. Infinite tetrahedra: infinity. Solids that are sampled everywhere have values below two or so;
+/// the outside has the width of the mouth that leads there.
+std::vector<double> carve_widths(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
+                                 const std::vector<double>& spacing);
+
+}  // namespace filmsticking

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "minimum_cut.h"
+
+#include <algorithm>
+#include <deque>
+
+namespace filmsticking {
+namespace {
+
+constexpr Index kTerminal = -2, kOrphan = -3;  // instead of a parent arc
+
+class Solver {
+ public:
+  explicit Solver(CutGraph& graph)
+      : g_(graph), n_(static_cast<Index>(graph.terminal.size())), tree_(n_, 0), parent_(n_, kNone), active_flag_(n_, 0),
+        time_(n_, 0), distance_(n_, 0) {}
+
+  std::vector<char> solve(const std::vector<char>& fallback) {
+    for (Index i = 0; i < n_; ++i)
+      if (g_.terminal[i] != 0) {
+        tree_[i] = g_.terminal[i] > 0 ? 1 : -1;
+        parent_[i] = kTerminal;
+        distance_[i] = 1;
+        activate(i);
+      }
+    Index current = kNone;
+    for (;;) {
+      if (current == kNone || tree_[current] == 0) current = next_active();
+      if (current == kNone) break;
+      const Index bridge = grow(current);  // an arc from the source's tree to the sink's
+      ++clock_;
+      if (bridge == kNone) {
+        current = kNone;
+        continue;
+      }
+      augment(bridge);
+      adopt();
+    }
+    std::vector<char> side(n_);
+    for (Index i = 0; i < n_; ++i) side[i] = tree_[i] == 0 ? fallback[i] : tree_[i] > 0;
+    return side;
+  }
+
+ private:
+  std::int64_t& capacity(Index arc) { return g_.capacity[arc / 4][arc % 4]; }
+  Index mirror(Index arc) const { return g_.mirror[arc / 4][arc % 4]; }
+  // Towards the sink along the arc in the source's tree, against it in the sink's.
+  std::int64_t outward(int tree, Index arc) { return tree > 0 ? capacity(arc) : capacity(mirror(arc)); }
+
+  void activate(Index i) {
+    if (!active_flag_[i]) active_flag_[i] = 1, active_.push_back(i);
+  }
+  Index next_active() {
+    while (!active_.empty()) {
+      const Index i = active_.front();
+      active_.pop_front();
+      active_flag_[i] = 0;
+      if (tree_[i] != 0) return i;
+    }
+    return kNone;
+  }
+
+  Index grow(Index i) {
+    for (Index k = 0; k < 4; ++k) {
+      const Index arc = 4 * i + k;
+      if (outward(tree_[i], arc) <= 0) continue;
+      const Index j = mirror(arc) / 4;
+      if (tree_[j] == 0) {
+        tree_[j] = tree_[i];
+        parent_[j] = mirror(arc);
+        time_[j] = time_[i];
+        distance_[j] = distance_[i] + 1;
+        activate(j);
+      } else if (tree_[j] != tree_[i]) {
+        activate(i);
+        return tree_[i] > 0 ? arc : mirror(arc);
+      } else if (time_[j] <= time_[i] && distance_[j] > distance_[i]) {
+        parent_[j] = mirror(arc);  // a shorter way to the terminal
+        time_[j] = time_[i];
+        distance_[j] = distance_[i] + 1;
+      }
+    }
+    return kNone;
+  }
+
+  void augment(Index bridge) {
+    std::int64_t flow = capacity(bridge);
+    Index i = bridge / 4;
+    for (; parent_[i] != kTerminal; i = mirror(parent_[i]) / 4) flow = std::min(flow, capacity(mirror(parent_[i])));
+    flow = std::min(flow, g_.terminal[i]);
+    for (i = mirror(bridge) / 4; parent_[i] != kTerminal; i = mirror(parent_[i]) / 4)
+      flow = std::min(flow, capacity(parent_[i]));
+    flow = std::min(flow, -g_.terminal[i]);
+
+    capacity(bridge) -= flow, capacity(mirror(bridge)) += flow;
+    for (i = bridge / 4; parent_[i] != kTerminal;) {
+      const Index up = mirror(parent_[i]), above = up / 4;
+      capacity(parent_[i]) += flow, capacity(up) -= flow;
+      if (capacity(up) == 0) orphan(i);
+      i = above;
+    }
+    g_.terminal[i] -= flow;
+    if (g_.terminal[i] == 0) orphan(i);
+    for (i = mirror(bridge) / 4; parent_[i] != kTerminal;) {
+      const Index down = parent_[i], above = mirror(down) / 4;
+      capacity(down) -= flow, capacity(mirror(down)) += flow;
+      if (capacity(down) == 0) orphan(i);
+      i = above;
+    }
+    g_.terminal[i] += flow;
+    if (g_.terminal[i] == 0) orphan(i);
+  }
+
+  void orphan(Index i) { parent_[i] = kOrphan, orphans_.push_back(i); }
+
+  // Is j's way up a terminal's? Returns the distance, or 0; marks the way with the time.
+  Index distance_to_terminal(Index j) {
+    Index steps = 0, i = j;
+    for (;;) {
+      if (time_[i] == clock_) {
+        steps += distance_[i];
+        break;
+      }
+      ++steps;
+      if (parent_[i] == kTerminal) {
+        time_[i] = clock_, distance_[i] = 1;
+        break;
+      }
+      if (parent_[i] == kOrphan || parent_[i] == kNone) return 0;
+      i = mirror(parent_[i]) / 4;
+    }
+    Index mark = steps;
+    for (i = j; time_[i] != clock_; i = mirror(parent_[i]) / 4) time_[i] = clock_, distance_[i] = mark--;
+    return steps;
+  }
+
+  void adopt() {
+    while (!orphans_.empty()) {
+      const Index i = orphans_.front();
+      orphans_.pop_front();
+      const int tree = tree_[i];
+      Index best = kNone, least = 0;
+      for (Index k = 0; k < 4; ++k) {
+        const Index arc = 4 * i + k, j = mirror(arc) / 4;
+        // The parent must be able to pass flow to i (source) or take it from i (sink).
+        if (tree_[j] != tree || (tree > 0 ? capacity(mirror(arc)) : capacity(arc)) <= 0) continue;
+        const Index d = distance_to_terminal(j);
+        if (d > 0 && (best == kNone || d < least)) best = arc, least = d;
+      }
+      if (best != kNone) {
+        parent_[i] = best;
+        time_[i] = clock_;
+        distance_[i] = least + 1;
+        continue;
+      }
+      for (Index k = 0; k < 4; ++k) {
+        const Index arc = 4 * i + k, j = mirror(arc) / 4;
+        if (tree_[j] != tree) continue;
+        if ((tree > 0 ? capacity(mirror(arc)) : capacity(arc)) > 0) activate(j);
+        if (parent_[j] >= 0 && mirror(parent_[j]) / 4 == i) orphan(j);
+      }
+      tree_[i] = 0;
+      parent_[i] = kNone;
+    }
+  }
+
+  CutGraph& g_;
+  const Index n_;
+  std::vector<signed char> tree_;
+  std::vector<Index> parent_;  // the arc from a node to its parent
+  std::vector<char> active_flag_;
+  std::vector<Index> time_, distance_;
+  std::deque<Index> active_, orphans_;
+  Index clock_ = 0;
+};
+
+}  // namespace
+
+std::vector<char> minimum_cut(CutGraph& graph, const std::vector<char>& fallback) {
+  return Solver(graph).solve(fallback);
+}
+
+}  // namespace filmsticking

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "vec.h"
+
+namespace filmsticking {
+
+/// A graph whose nodes have four arcs each: the dual of a tetrahedral mesh.
+struct CutGraph {
+  /// The arc back along arc k of node t, as 4 * node + arc.
+  const std::vector<std::array<Index, 4>>& mirror;
+  std::vector<std::array<std::int64_t, 4>> capacity;  ///< of the arc from node t through k; equal both ways
+  std::vector<std::int64_t> terminal;                 ///< > 0: cost of leaving the source's side; < 0: the sink's
+};
+
+/// The side of each node in a minimum cut: 1 source, 0 sink. Boykov and Kolmogorov, "An experimental
+/// comparison of min-cut/max-flow algorithms" (2004). Nodes that neither tree reaches are on the sink's side
+/// unless their `fallback` says otherwise. `capacity` and `terminal` are used up.
+std::vector<char> minimum_cut(CutGraph& graph, const std::vector<char>& fallback);
+
+}  // namespace filmsticking

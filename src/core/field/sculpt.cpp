@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sculpt.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "minimum_cut.h"
+
+namespace filmsticking {
+
+std::vector<char> sculpt(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
+                         const std::vector<double>& belief, double conviction) {
+  CutGraph graph{mesh.mirror, {}, {}};
+  graph.capacity.resize(mesh.size());
+  graph.terminal.resize(mesh.size());
+  double sum = 0;
+  for (const auto& costs : evidence.cost)
+    for (double c : costs) sum += c;
+  // Whole numbers, so that the flow is exact and ends: a mean facet costs some thousands.
+  const double unit = sum > 0 ? 4096.0 * 4.0 * static_cast<double>(mesh.size()) / sum : 1;
+  auto price = [&](double cost) { return static_cast<std::int64_t>(std::llround(std::min(cost * unit, 1e12))); };
+  std::vector<char> fallback(mesh.size());
+  for (std::size_t t = 0; t < mesh.size(); ++t) {
+    const bool infinite = mesh.tets.infinite(static_cast<Index>(t));
+    double surface = 0;
+    for (int k = 0; k < 4; ++k) {
+      graph.capacity[t][k] = price(evidence.cost[t][k]);
+      surface += evidence.area[t][k];
+    }
+    const std::int64_t hold = price(conviction * surface * std::abs(belief[t]));
+    graph.terminal[t] = infinite ? -(std::int64_t(1) << 50) : belief[t] > 0 ? hold : -hold;
+    fallback[t] = !infinite && belief[t] > 0;
+  }
+  std::vector<char> inside = minimum_cut(graph, fallback);
+  for (std::size_t t = 0; t < mesh.size(); ++t)
+    if (mesh.tets.infinite(static_cast<Index>(t))) inside[t] = 0;
+  return inside;
+}
+
+}  // namespace filmsticking

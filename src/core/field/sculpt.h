@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "facet_evidence.h"
+#include "tetrahedral_mesh.h"
+
+namespace filmsticking {
+
+/// Sculpting (paper, section 5; Wang et al. 2022) as a minimum cut: the inside of a shape among the Delaunay
+/// tetrahedra that costs least between what is believed of each tetrahedron and what its facets cost as
+/// surface. belief[t]: 1 surely inside .. -1 surely outside; infinite ones are outside whatever it says.
+/// `conviction` weighs belief against evidence: area of its facets that a tetrahedron holds up against.
+std::vector<char> sculpt(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
+                         const std::vector<double>& belief, double conviction);
+
+}  // namespace filmsticking

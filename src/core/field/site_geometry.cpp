@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "site_geometry.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "nearest.h"
+#include "parallel.h"
+
+namespace filmsticking {
+
+SiteGeometry site_geometry(const std::vector<Vec3>& sites, std::size_t k) {
+  SiteGeometry geometry;
+  geometry.spacing.assign(sites.size(), 0);
+  geometry.normal.assign(sites.size(), Vec3::UnitZ());
+  const PointTree tree(sites);
+  parallel_each(sites.size(), [&](std::size_t i) {
+    const std::vector<Index> near = tree.nearest(sites[i], k + 1);  // with the site itself
+    const double radius = (sites[near.back()] - sites[i]).norm();
+    geometry.spacing[i] = radius * std::sqrt(M_PI / static_cast<double>(std::max<std::size_t>(near.size() - 1, 1)));
+    Vec3 mean = Vec3::Zero();
+    for (Index j : near) mean += sites[j];
+    mean /= static_cast<double>(near.size());
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (Index j : near) covariance += (sites[j] - mean) * (sites[j] - mean).transpose();
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(covariance / std::max(radius * radius, 1e-300));
+    const Vec3 normal = solver.eigenvectors().col(0);
+    if (normal.allFinite() && normal.squaredNorm() > 0.5) geometry.normal[i] = normal;
+  });
+  return geometry;
+}
+
+}  // namespace filmsticking

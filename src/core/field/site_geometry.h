@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "vec.h"
+
+namespace filmsticking {
+
+/// What the neighbourhood of each site tells without a surface.
+struct SiteGeometry {
+  std::vector<double> spacing;  ///< sqrt(pi r^2 / k) with r the distance to the k-th neighbour: what one sample covers
+  std::vector<Vec3> normal;     ///< unit normal of the plane fitted to the neighbours; its sign says nothing
+};
+
+/// From the `k` nearest sites of each.
+SiteGeometry site_geometry(const std::vector<Vec3>& sites, std::size_t k = 12);
+
+}  // namespace filmsticking

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tetrahedral_mesh.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "parallel.h"
+
+namespace filmsticking {
+namespace {
+
+// Relative to the first corner, which keeps the digits where the tetrahedron is small.
+Vec3 circumcentre(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 u = b - a, v = c - a, w = d - a;
+  const Vec3 vw = v.cross(w);
+  const double volume6 = u.dot(vw);
+  if (volume6 == 0) return (a + b + c + d) / 4;
+  return a + (u.squaredNorm() * vw + v.squaredNorm() * w.cross(u) + w.squaredNorm() * u.cross(v)) / (2 * volume6);
+}
+
+int corner_index(const std::array<Index, 4>& corners, Index v) {
+  for (int k = 0; k < 4; ++k)
+    if (corners[k] == v) return k;
+  return -1;
+}
+
+}  // namespace
+
+TetrahedralMesh make_tetrahedral_mesh(Tetrahedra tets, const std::vector<Vec3>& sites) {
+  TetrahedralMesh mesh;
+  mesh.tets = std::move(tets);
+  const std::size_t n = mesh.tets.size();
+  mesh.mirror.resize(n);
+  mesh.circumcentre.resize(n);
+  mesh.circumradius.resize(n);
+  parallel_each(n, [&](std::size_t t) {
+    const auto& corners = mesh.tets.corners[t];
+    for (int k = 0; k < 4; ++k) {
+      // Two tetrahedra may share several facets only at infinity of a flat cloud; compare the back pointer and
+      // the corner that is not shared.
+      const Index u = mesh.tets.neighbours[t][k];
+      int facet = 0;
+      for (int j = 0; j < 4; ++j)
+        if (mesh.tets.neighbours[u][j] == static_cast<Index>(t) &&
+            corner_index(corners, mesh.tets.corners[u][j]) < 0)
+          facet = j;
+      mesh.mirror[t][k] = 4 * u + facet;
+    }
+    const int infinite = corner_index(corners, kNone);
+    if (infinite >= 0) {
+      const Vec3 &a = sites[corners[kFacet[infinite][0]]], &b = sites[corners[kFacet[infinite][1]]],
+                 &c = sites[corners[kFacet[infinite][2]]];
+      mesh.circumcentre[t] = (b - a).cross(c - a).normalized();
+      mesh.circumradius[t] = std::numeric_limits<double>::infinity();
+    } else {
+      mesh.circumcentre[t] =
+          circumcentre(sites[corners[0]], sites[corners[1]], sites[corners[2]], sites[corners[3]]);
+      mesh.circumradius[t] = (mesh.circumcentre[t] - sites[corners[0]]).norm();
+    }
+  });
+  return mesh;
+}
+
+HalfEdgeComplex tetrahedral_boundary(const TetrahedralMesh& mesh, const std::vector<char>& inside,
+                                     const std::vector<Vec3>& sites) {
+  HalfEdgeComplex boundary;
+  std::vector<Index> facets;                       // 4 * tet + k
+  std::vector<Index> triangle(4 * mesh.size(), kNone);
+  for (std::size_t t = 0; t < mesh.size(); ++t) {
+    if (!inside[t]) continue;
+    for (int k = 0; k < 4; ++k) {
+      if (inside[mesh.tets.neighbours[t][k]]) continue;
+      triangle[4 * t + k] = static_cast<Index>(facets.size());
+      facets.push_back(static_cast<Index>(4 * t) + k);
+      Vec3 centre = Vec3::Zero();
+      for (int j : kFacet[k]) {
+        boundary.site.push_back(mesh.tets.corners[t][j]);
+        centre += sites[mesh.tets.corners[t][j]] / 3;
+      }
+      boundary.point.push_back(centre);
+    }
+  }
+  boundary.twin.assign(boundary.site.size(), kNone);
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    for (int j = 0; j < 3; ++j) {
+      const Index a = boundary.site[3 * f + j], b = boundary.site[3 * f + (j + 1) % 3];
+      Index t = facets[f] / 4, facet = facets[f] % 4;
+      // Turn around a-b through the inside, from facet to facet.
+      for (;;) {
+        Index other = 0;
+        while (other == facet || mesh.tets.corners[t][other] == a || mesh.tets.corners[t][other] == b) ++other;
+        const Index found = triangle[4 * t + other];
+        if (found != kNone) {
+          for (int i = 0; i < 3; ++i)
+            if (boundary.site[3 * found + i] == b && boundary.site[3 * found + (i + 1) % 3] == a)
+              boundary.twin[3 * f + j] = 3 * found + i;
+          break;
+        }
+        facet = mesh.mirror[t][other] % 4, t = mesh.mirror[t][other] / 4;
+      }
+    }
+  return boundary;
+}
+
+}  // namespace filmsticking

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "dual_complex.h"
+#include "power_diagram.h"
+
+namespace filmsticking {
+
+/// Corners of the facet opposite corner k of a positively oriented tetrahedron, counter-clockwise from outside.
+constexpr int kFacet[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
+/// The Delaunay tetrahedra with what the field methods ask of them.
+struct TetrahedralMesh {
+  Tetrahedra tets;
+  std::vector<std::array<Index, 4>> mirror;  ///< across facet k: the neighbour's facet, as 4 * tet + facet
+  std::vector<Vec3> circumcentre;            ///< for an infinite one: the outward unit normal of its hull facet
+  std::vector<double> circumradius;          ///< for an infinite one: infinity
+
+  std::size_t size() const { return tets.size(); }
+};
+
+TetrahedralMesh make_tetrahedral_mesh(Tetrahedra tets, const std::vector<Vec3>& sites);
+
+/// The surface between the tetrahedra marked inside and the others; the infinite ones must be outside.
+/// Where more than two of its facets share an edge, those that bound the same piece of the inside are joined,
+/// so that pieces which only touch come apart.
+HalfEdgeComplex tetrahedral_boundary(const TetrahedralMesh& mesh, const std::vector<char>& inside,
+                                     const std::vector<Vec3>& sites);
+
+}  // namespace filmsticking

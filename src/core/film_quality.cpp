@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "film_quality.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "film.h"
+
+namespace filmsticking {
+
+FilmQuality film_quality(const GuidingSurface& film, const SiteGeometry& geometry) {
+  FilmQuality quality;
+  double area = 0, sum = 0;
+  for (const Corners& t : film.triangles) {
+    const Vec3 &a = film.positions[t[0]], &b = film.positions[t[1]], &c = film.positions[t[2]];
+    const Vec3 normal = (b - a).cross(c - a);
+    const double twice = normal.norm();
+    if (!(twice > 0)) continue;
+    double disagree = 0, spacing = 0;
+    for (Index v : t) {
+      disagree += 1 - std::abs(normal.dot(geometry.normal[film.site[v]])) / twice;
+      spacing = std::max(spacing, geometry.spacing[film.site[v]]);
+    }
+    area += twice;
+    sum += twice * disagree / 3;
+    if ((a - b).norm() * (b - c).norm() * (c - a).norm() / (2 * twice) > 3 * spacing) ++quality.wide_faces;
+  }
+  if (area > 0) quality.disagreement = sum / area;
+  quality.off = static_cast<std::int64_t>(geometry.spacing.size()) - attracted_points(film, geometry.spacing.size());
+  return quality;
+}
+
+}  // namespace filmsticking

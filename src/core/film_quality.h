@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "field/site_geometry.h"
+#include "guiding_surface.h"
+
+namespace filmsticking {
+
+/// How well a film of sites agrees with the sites' own neighbourhoods. Knows no truth, so that a
+/// reconstruction can judge itself.
+struct FilmQuality {
+  double disagreement = 1;      ///< mean over the area of 1 - |face normal . local normal|; 0 best
+  std::int64_t wide_faces = 0;  ///< faces with an empty circle of more than three spacings: plates and bridges
+  std::int64_t off = 0;         ///< sites off the film
+};
+
+FilmQuality film_quality(const GuidingSurface& film, const SiteGeometry& geometry);
+
+}  // namespace filmsticking

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orientation.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "triangle_adjacency.h"
+
+namespace filmsticking {
+
+double solid_angle_winding(const GuidingSurface& surface, const std::vector<Index>& triangles, const Vec3& x) {
+  double sum = 0;
+  for (Index t : triangles) {
+    const Vec3 a = surface.corner(t, 0) - x, b = surface.corner(t, 1) - x, c = surface.corner(t, 2) - x;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    sum += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return sum / (2 * M_PI);
+}
+
+void orient_components(GuidingSurface& surface) {
+  std::vector<Index> component;
+  const Index count = connected_components(
+      half_edge_twins(surface.triangles, static_cast<Index>(surface.positions.size())), component);
+  std::vector<std::vector<Index>> members(count);
+  for (std::size_t t = 0; t < component.size(); ++t) members[component[t]].push_back(static_cast<Index>(t));
+  std::vector<double> volume(count, 0);
+  std::vector<Vec3> lo(count, Vec3::Constant(1e300)), hi(count, Vec3::Constant(-1e300));
+  for (Index c = 0; c < count; ++c)
+    for (Index t : members[c]) {
+      // Relative to a corner of the component, which keeps the digits of small ones.
+      const Vec3 o = surface.corner(members[c][0], 0);
+      volume[c] += (surface.corner(t, 0) - o).dot((surface.corner(t, 1) - o).cross(surface.corner(t, 2) - o));
+      for (int k = 0; k < 3; ++k) {
+        lo[c] = lo[c].cwiseMin(surface.corner(t, k));
+        hi[c] = hi[c].cwiseMax(surface.corner(t, k));
+      }
+    }
+  // Largest boxes first: a component lies only inside larger ones, which are turned by then.
+  std::vector<Index> order(count);
+  for (Index c = 0; c < count; ++c) order[c] = c;
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    const double da = (hi[a] - lo[a]).norm(), db = (hi[b] - lo[b]).norm();
+    return da != db ? da > db : a < b;
+  });
+  for (Index i = 0; i < count; ++i) {
+    const Index c = order[i];
+    const Vec3 x = surface.corner(members[c][0], 0);
+    double depth = 0;
+    for (Index j = 0; j < i; ++j) {
+      const Index other = order[j];
+      if ((x.array() < lo[other].array()).any() || (x.array() > hi[other].array()).any()) continue;
+      depth += solid_angle_winding(surface, members[other], x);
+    }
+    const bool cavity = depth > 0.5;
+    if ((volume[c] < 0) == cavity) continue;
+    for (Index t : members[c]) std::swap(surface.triangles[t][1], surface.triangles[t][2]);
+  }
+}
+
+}  // namespace filmsticking

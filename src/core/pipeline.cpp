@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "field/carve.h"
+#include "field/poisson.h"
+#include "field/sculpt.h"
+#include "field/signed_field.h"
+#include "field/winding_number.h"
+#include "film.h"
+#include "insert_sites.h"
+#include "parallel.h"
+#include "virtual_sites.h"
+
+namespace filmsticking {
+namespace {
+
+// Film steps after a cut: what is left to do is local, and most of it happens in the first three.
+constexpr int kStepsAfterCut = 4;
+// A belief is tried against the evidence with growing conviction until the cut keeps this share of the sites;
+// thin plates are given up by a weak one.
+constexpr double kConviction = 0.1, kConvictionGrowth = 4;
+constexpr int kConvictions = 4;
+constexpr double kKeptShare = 0.8;
+// A wrap's ball in units of the box's longest side.
+constexpr double kWrapAlpha = 0.05;
+// An inserted site may be this many longest edges of its face away from it.
+constexpr double kReach = 2;
+
+}  // namespace
+
+Pipeline::Pipeline(const SiteSet& sites, const Options& options, Monitor& monitor, Report& report)
+    : sites_(sites), options_(options), monitor_(monitor), report_(report) {}
+
+double Pipeline::Candidate::score() const {
+  if (film.triangles.empty()) return std::numeric_limits<double>::infinity();
+  const double sites = static_cast<double>(film.site.size()) + static_cast<double>(quality.off);
+  return quality.disagreement + static_cast<double>(quality.off) / sites;
+}
+
+void Pipeline::prepare() {
+  monitor_.enter("triangulation", 0.02);
+  const DelaunayTriangulation triangulation(sites_.perturbed);
+  voronoi_ = triangulation.voronoi();
+  mesh_ = make_tetrahedral_mesh(triangulation.tetrahedra(), sites_.perturbed);
+  monitor_.enter("local evidence", 0.15);
+  geometry_ = site_geometry(sites_.perturbed);
+  evidence_ = facet_evidence(mesh_, sites_.perturbed, geometry_);
+}
+
+GuidingSurface Pipeline::evolve(GuidingSurface film, const std::vector<Vec3>& sites, int max_steps, bool weights) {
+  monitor_.enter("film", monitor_.share());
+  FilmOptions options;
+  options.ring = options_.ring;
+  options.weights = weights;
+  options.max_steps = max_steps;
+  options.round = report_.rounds;
+  options.after_step = [&](const StepRecord& record, const GuidingSurface& now) {
+    report_.steps.push_back(record);
+    // Half of what is left for a long evolution, step by step.
+    monitor_.progress(monitor_.share() + (0.95 - monitor_.share()) * 0.05);
+    if (monitor_.execution().on_step) {
+      Mesh mesh;
+      for (const Vec3& p : now.positions) mesh.positions.push_back(sites_.to_input(p));
+      mesh.triangles.assign(now.triangles.begin(), now.triangles.end());
+      monitor_.execution().on_step(static_cast<int>(report_.steps.size()), mesh);
+    }
+    return true;
+  };
+  return evolve_film(std::move(film), sites, sites_.size(), voronoi_, options);
+}
+
+// What follows the last film step: sites still off the film are inserted where that is clean.
+Pipeline::Candidate Pipeline::finish(GuidingSurface film) {
+  Candidate candidate;
+  if (film.triangles.empty()) return candidate;
+  candidate.film = std::move(film);
+  // Virtual sites may be left on a film that was stopped; they are no sites of the result.
+  if (options_.insert_leftover) {
+    monitor_.enter("insertion", monitor_.share());
+    std::vector<char> on(sites_.size(), 0);
+    for (Index s : candidate.film.site) on[s] = 1;
+    std::vector<Index> off;
+    for (std::size_t s = 0; s < sites_.size(); ++s)
+      if (!on[s]) off.push_back(static_cast<Index>(s));
+    candidate.inserted = insert_sites(candidate.film, sites_.perturbed, off, kReach);
+  }
+  candidate.quality = film_quality(candidate.film, geometry_);
+  return candidate;
+}
+
+Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conviction) {
+  GuidingSurface best;
+  for (int attempt = 0; attempt < kConvictions; ++attempt, conviction *= kConvictionGrowth) {
+    monitor_.enter("sculpting", monitor_.share());
+    const std::vector<char> inside = sculpt(mesh_, evidence_, belief, conviction);
+    RepairCounts counts;
+    GuidingSurface surface =
+        film_of_sites(manifold_repair(tetrahedral_boundary(mesh_, inside, sites_.perturbed), sites_.perturbed,
+                                      options_.ring, counts),
+                      sites_.perturbed);
+    if (best.triangles.empty() || surface.site.size() > best.site.size()) best = std::move(surface);
+    if (static_cast<double>(best.site.size()) >= kKeptShare * static_cast<double>(sites_.size())) break;
+  }
+  if (best.triangles.empty()) return {};
+  return finish(evolve(std::move(best), sites_.perturbed, kStepsAfterCut, false));
+}
+
+std::vector<double> Pipeline::carve_belief(double limit) const {
+  const std::vector<double> width = carve_widths(mesh_, sites_.perturbed, geometry_.spacing);
+  std::vector<double> belief(mesh_.size(), -1);
+  // Sure from a third of a spacing off the limit.
+  for (std::size_t t = 0; t < mesh_.size(); ++t)
+    if (std::isfinite(width[t])) belief[t] = std::clamp((limit - width[t]) * 3, -1.0, 1.0);
+  return belief;
+}
+
+std::vector<double> Pipeline::winding_belief(const GuidingSurface& film) const {
+  const WindingNumber winding(sites_.perturbed, film_dipoles(film, sites_.size()));
+  std::vector<double> belief(mesh_.size(), -1);
+  parallel_each(mesh_.size(), [&](std::size_t t) {
+    if (mesh_.tets.infinite(static_cast<Index>(t))) return;
+    Vec3 centre = Vec3::Zero();
+    for (Index i : mesh_.tets.corners[t]) centre += sites_.perturbed[i] / 4;
+    belief[t] = std::clamp(2 * winding(centre) - 1, -1.0, 1.0);
+  });
+  return belief;
+}
+
+std::vector<double> Pipeline::film_belief(const GuidingSurface& film) const {
+  if (options_.field == FieldMethod::Poisson) {
+    std::vector<double> belief = poisson_belief(mesh_, sites_.perturbed, film_dipoles(film, sites_.size()));
+    if (!belief.empty()) return belief;
+  }
+  return winding_belief(film);
+}
+
+// Nothing to remove and nothing to correct.
+bool Pipeline::settled(const Candidate& candidate) const {
+  return candidate.inserted == 0 && candidate.quality.off == 0 && candidate.quality.wide_faces == 0;
+}
+
+// The first film by local evidence alone; where it leaves many sites off, also by carving at a few widths.
+Pipeline::Candidate Pipeline::carve() {
+  monitor_.enter("signed field", 0.25);
+  const std::vector<double> belief = signed_field(mesh_, evidence_);
+  Candidate best = cut(belief, kConviction);
+  const double trouble = static_cast<double>(best.inserted + best.quality.off);
+  if (!best.film.triangles.empty() && trouble <= 0.01 * static_cast<double>(sites_.size())) return best;
+  for (const double width : {2.0, 3.0}) {
+    monitor_.enter("carving", monitor_.share());
+    Candidate other = cut(carve_belief(width), kConviction);
+    if (other.score() < best.score()) best = std::move(other);
+  }
+  return best;
+}
+
+GuidingSurface Pipeline::first_surface() {
+  monitor_.enter("first surface", 0.2);
+  switch (options_.initial_surface) {
+    case InitialSurface::Wrap:
+      return alpha_wrap(sites_.perturbed, kWrapAlpha);
+    case InitialSurface::Given: {
+      GuidingSurface given;
+      for (const Point& p : options_.guiding_surface->positions) given.positions.push_back(sites_.to_unit(p));
+      given.site.assign(given.positions.size(), kNone);
+      for (const Triangle& t : options_.guiding_surface->triangles) given.triangles.push_back(t);
+      return given;
+    }
+    default:
+      return bounding_sphere(sites_.perturbed);
+  }
+}
+
+void Pipeline::rounds(Candidate& best) {
+  if (options_.field == FieldMethod::None) return;
+  for (int round = 0; round < options_.max_rounds && !settled(best); ++round) {
+    ++report_.rounds;
+    monitor_.enter("field", 0.5 + 0.45 * round / options_.max_rounds);
+    const std::vector<double> belief = film_belief(best.film);
+    // Poisson's surface is taken as it is; only sculpting weighs it against the evidence.
+    Candidate next = cut(belief, options_.field == FieldMethod::Poisson ? 1e6 : kConviction);
+    // One round is what the paper does, better or not by our own measure; more must earn their keep.
+    const bool first = round == 0 && options_.initial_surface != InitialSurface::Carve;
+    if (next.film.triangles.empty() || (!first && !(next.score() < best.score()))) break;
+    best = std::move(next);
+  }
+}
+
+GuidingSurface Pipeline::run() {
+  prepare();
+  Candidate best;
+  if (options_.initial_surface == InitialSurface::Carve) {
+    best = carve();
+  } else {
+    GuidingSurface film = first_surface();
+    std::vector<Vec3> sites = sites_.perturbed;
+    if (options_.virtual_sites != 0 && options_.initial_surface != InitialSurface::Given) {
+      double bound = 0;
+      for (const Vec3& p : film.positions) bound = std::max(bound, p.norm());
+      const std::vector<Vec3> extra = virtual_sites(mesh_, geometry_.spacing, bound, options_.virtual_sites);
+      sites.insert(sites.end(), extra.begin(), extra.end());
+    }
+    film = evolve(std::move(film), sites, options_.max_steps, options_.weights);
+    // A film that was stopped may still hold virtual sites; a step without them drops these.
+    if (std::any_of(film.site.begin(), film.site.end(),
+                    [&](Index s) { return s == kNone || s >= static_cast<Index>(sites_.size()); }))
+      film = evolve(std::move(film), sites_.perturbed, 1, false);
+    best = finish(std::move(film));
+  }
+  rounds(best);
+  report_.inserted = best.inserted;
+  return std::move(best.film);
+}
+
+}  // namespace filmsticking

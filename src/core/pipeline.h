@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "field/facet_evidence.h"
+#include "field/site_geometry.h"
+#include "field/tetrahedral_mesh.h"
+#include "film_quality.h"
+#include "filmsticking/options.h"
+#include "guiding_surface.h"
+#include "monitor.h"
+#include "power_diagram.h"
+#include "site_set.h"
+
+namespace filmsticking {
+
+/// From sites to the final film: the first film, its evolution, rounds of field and film, insertion.
+class Pipeline {
+ public:
+  Pipeline(const SiteSet& sites, const Options& options, Monitor& monitor, Report& report);
+
+  /// Closed manifold of sites, or empty.
+  GuidingSurface run();
+
+ private:
+  struct Candidate {
+    GuidingSurface film;
+    FilmQuality quality;         ///< after insertion
+    std::int64_t inserted = 0;
+    double score() const;        ///< lower is better
+  };
+
+  void prepare();
+  GuidingSurface first_surface();
+  GuidingSurface evolve(GuidingSurface film, const std::vector<Vec3>& sites, int max_steps, bool weights);
+  Candidate finish(GuidingSurface film);
+  Candidate cut(const std::vector<double>& belief, double conviction);
+  std::vector<double> carve_belief(double width) const;
+  std::vector<double> winding_belief(const GuidingSurface& film) const;
+  std::vector<double> film_belief(const GuidingSurface& film) const;
+  bool settled(const Candidate& candidate) const;
+  Candidate carve();
+  void rounds(Candidate& best);
+
+  const SiteSet& sites_;
+  const Options& options_;
+  Monitor& monitor_;
+  Report& report_;
+  PowerDiagram voronoi_;
+  TetrahedralMesh mesh_;
+  SiteGeometry geometry_;
+  FacetEvidence evidence_;
+};
+
+}  // namespace filmsticking

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filmsticking/reconstruct.h"
+
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <new>
+#include <numeric>
+
+#include "monitor.h"
+#include "orientation.h"
+#include "pipeline.h"
+#include "site_set.h"
+#include "triangle_adjacency.h"
+
+namespace filmsticking {
+namespace {
+
+void fail(Result& result, Status status, std::string message) {
+  result.status = status;
+  result.message = std::move(message);
+  result.vertices.clear();
+  result.triangles.clear();
+}
+
+// Flatter than this share of the box is flat: what a turned plane has left after rounding to float.
+constexpr double kFlat = 3e-7;
+
+// Do all sites lie on one plane, line or point?
+bool coplanar(const std::vector<Vec3>& p) {
+  auto farthest = [&](auto&& distance) {
+    std::size_t best = 0;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      if (distance(p[i]) > distance(p[best])) best = i;
+    return best;
+  };
+  const Vec3 a = p[0];
+  const Vec3 b = p[farthest([&](const Vec3& x) { return (x - a).squaredNorm(); })];
+  const Vec3 u = (b - a).normalized();
+  auto off_line = [&](const Vec3& x) { return Vec3(x - a - u.dot(x - a) * u); };
+  const Vec3 v = off_line(p[farthest([&](const Vec3& x) { return off_line(x).squaredNorm(); })]);
+  if (v.norm() < kFlat) return true;
+  const Vec3 n = u.cross(v.normalized());
+  return std::all_of(p.begin(), p.end(), [&](const Vec3& x) { return std::abs(n.dot(x - a)) < kFlat; });
+}
+
+// Empty if the options are fine.
+std::string complaint(const Options& o) {
+  if (o.virtual_sites < Options::kAdaptiveVirtualSites) return "the number of virtual sites must not be negative";
+  if (o.max_steps < 1) return "at least one film step is needed";
+  if (o.max_rounds < 0) return "the number of rounds must not be negative";
+  if (o.threads < 0) return "the number of threads must not be negative";
+  return {};
+}
+
+Status check_given_surface(const Options& o) {
+  if (o.initial_surface != InitialSurface::Given) return Status::Ok;
+  if (!o.guiding_surface) return Status::InvalidGuidingSurface;
+  for (const Point& p : o.guiding_surface->positions)
+    for (double x : p)
+      if (!std::isfinite(x)) return Status::InvalidGuidingSurface;
+  const std::vector<Corners> triangles(o.guiding_surface->triangles.begin(), o.guiding_surface->triangles.end());
+  const ManifoldCheck check = check_manifold(triangles, static_cast<Index>(o.guiding_surface->positions.size()));
+  return check.ok() ? Status::Ok : Status::InvalidGuidingSurface;
+}
+
+// Sites to input ids in rising order; triangles turned to their least corner and sorted.
+void write_result(const GuidingSurface& film, const SiteSet& sites, Result& result) {
+  std::vector<Index> order(film.site.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](Index a, Index b) { return sites.input[film.site[a]] < sites.input[film.site[b]]; });
+  std::vector<Index> vertex(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    vertex[order[k]] = static_cast<Index>(k);
+    result.vertices.push_back(sites.input[film.site[order[k]]]);
+  }
+  for (Corners t : film.triangles) {
+    for (Index& v : t) v = vertex[v];
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    result.triangles.push_back(t);
+  }
+  std::sort(result.triangles.begin(), result.triangles.end());
+}
+
+void describe_result(Result& result) {
+  Report& report = result.report;
+  const Index vertices = static_cast<Index>(result.vertices.size());
+  const ManifoldCheck check = check_manifold(result.triangles, vertices);
+  report.closed = check.closed;
+  report.manifold = check.ok();
+  report.interpolated = vertices;
+  report.triangles = static_cast<std::int64_t>(result.triangles.size());
+  if (!check.ok()) return;
+  std::vector<Index> component;
+  report.components = connected_components(half_edge_twins(result.triangles, vertices), component);
+  const std::int64_t euler = vertices - report.triangles / 2;
+  report.genus = report.components - euler / 2;
+}
+
+void run(const std::vector<Point>& points, const Options& options, const Execution& execution, Result& result) {
+  Report& report = result.report;
+  report.points = static_cast<std::int64_t>(points.size());
+  const std::string wrong = complaint(options);
+  if (!wrong.empty()) return fail(result, Status::InvalidOptions, wrong);
+  if (check_given_surface(options) != Status::Ok)
+    return fail(result, Status::InvalidGuidingSurface, describe(Status::InvalidGuidingSurface));
+
+  Monitor monitor(execution, report);
+  monitor.enter("sites", 0);
+  const SiteSet sites = make_site_set(points);
+  report.sites = static_cast<std::int64_t>(sites.size());
+  report.non_finite = sites.non_finite;
+  report.duplicates = sites.duplicates;
+  if (sites.size() < 4)
+    return fail(result, Status::TooFewPoints,
+                   "a closed surface needs at least four distinct finite points, here are " + std::to_string(sites.size()));
+  if (coplanar(sites.positions)) return fail(result, Status::Coplanar, describe(Status::Coplanar));
+
+  GuidingSurface film = Pipeline(sites, options, monitor, report).run();
+  if (film.triangles.empty()) return fail(result, Status::NoSurface, describe(Status::NoSurface));
+  monitor.enter("result", 0.97);
+  orient_components(film);
+  write_result(film, sites, result);
+  describe_result(result);
+  if (!report.manifold) return fail(result, Status::InternalError, "the result is not a closed manifold");
+  monitor.progress(1);
+  result.status = Status::Ok;
+}
+
+}  // namespace
+
+Options Options::paper() {
+  Options options;
+  options.initial_surface = InitialSurface::Sphere;
+  options.field = FieldMethod::Poisson;
+  options.virtual_sites = 1000;
+  options.insert_leftover = false;
+  options.max_rounds = 1;
+  return options;
+}
+
+const char* describe(Status status) noexcept {
+  switch (status) {
+    case Status::Ok: return "a closed surface was made";
+    case Status::TooFewPoints: return "a closed surface needs at least four distinct finite points";
+    case Status::Coplanar: return "all points lie on one plane, so they enclose no volume";
+    case Status::InvalidOptions: return "an option is out of its range";
+    case Status::InvalidGuidingSurface: return "the guiding surface given is not a closed oriented 2-manifold";
+    case Status::NoSurface: return "no closed surface through the points was found";
+    case Status::Cancelled: return "the reconstruction was cancelled";
+    case Status::OutOfMemory: return "not enough memory";
+    case Status::InternalError: return "an internal check failed";
+  }
+  return "unknown status";
+}
+
+Result reconstruct(const std::vector<Point>& points, const Options& options, const Execution& execution) noexcept {
+  const auto start = std::chrono::steady_clock::now();
+  Result result;
+  const auto failed = [&](Status status, const char* message) {
+    try {
+      fail(result, status, message);
+    } catch (...) {  // a message is a kindness; the status says enough
+      fail(result, status, {});
+    }
+  };
+  try {
+    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    arena.execute([&] { run(points, options, execution, result); });
+  } catch (const Cancelled&) {
+    failed(Status::Cancelled, describe(Status::Cancelled));
+  } catch (const std::bad_alloc&) {
+    failed(Status::OutOfMemory, describe(Status::OutOfMemory));
+  } catch (const std::exception& e) {
+    failed(Status::InternalError, e.what());
+  } catch (...) {
+    failed(Status::InternalError, describe(Status::InternalError));
+  }
+  result.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace filmsticking
