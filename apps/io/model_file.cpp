@@ -11,25 +11,34 @@
 #include "xyz.h"
 
 namespace filmsticking::io {
-namespace {
-
-Model read_any(const std::string& path) {
-  check_readable(path);
+Model read_cloud(const std::string& path) {
+  const std::string bytes = read_file(path);
   const std::string extension = extension_of(path);
-  if (extension == ".ply") return decode_ply(read_file(path));
-  if (extension == ".obj") return decode_obj(read_file(path));
-  if (extension == ".xyz" || extension == ".txt") return decode_xyz(read_file(path));
-  if (extension == ".pcd") return read_pcd(path);
-  if (extension == ".stl") return read_stl(path);
-  if (extension == ".vtk") return read_vtk(path);
-  throw IoError("its extension is none of .pcd .ply .obj .xyz .txt .stl .vtk");
+  const auto decode = [&] {
+    if (extension == ".pcd") return decode_pcd(bytes);
+    if (extension == ".ply") return decode_ply(bytes);
+    if (extension == ".obj") return decode_obj(bytes);
+    if (extension == ".stl") return decode_stl(bytes);
+    if (extension == ".xyz" || extension == ".txt") return decode_xyz(bytes);
+    throw IoError("its extension is none of .pcd .ply .obj .stl .xyz .txt");
+  };
+  Model model = decode();
+  if (model.positions.empty()) throw IoError("there are no points in it");
+  return model;
 }
 
-}  // namespace
-
-Model read_model(const std::string& path) {
-  Model model = read_any(path);
-  if (model.positions.empty()) throw IoError("there are no points in it");
+Model read_mesh(const std::string& path) {
+  check_readable(path);
+  const std::string extension = extension_of(path);
+  const auto read = [&] {
+    if (extension == ".ply") return decode_ply(read_file(path));
+    if (extension == ".obj") return decode_obj(read_file(path));
+    if (extension == ".stl") return decode_stl(read_file(path));
+    if (extension == ".vtk") return read_vtk(path);
+    throw IoError("its extension is none of .ply .obj .stl .vtk");
+  };
+  Model model = read();
+  if (model.triangles.empty()) throw IoError("there are no triangles in it");
   return model;
 }
 

@@ -8,8 +8,13 @@
 
 namespace filmsticking::io {
 
-/// Reads .pcd, .ply, .obj, .xyz, .txt, .stl or .vtk. Throws IoError; so it does for a file without points.
-Model read_model(const std::string& path);
+/// Reads points from .pcd, .ply, .obj, .stl (the vertices of a mesh), .xyz or .txt. Broken files are refused,
+/// and so are those without points. Throws IoError.
+Model read_cloud(const std::string& path);
+
+/// Reads a mesh from .ply, .obj, .stl or .vtk (this one by VTK, which trusts it). A file without triangles is
+/// refused. Throws IoError.
+Model read_mesh(const std::string& path);
 
 /// Whether write_model() knows the path's extension: .ply, .obj, .stl or .vtk.
 bool can_write_model(const std::string& path);

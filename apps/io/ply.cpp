@@ -7,24 +7,19 @@
 
 #include "float_exact.h"
 #include "io_error.h"
+#include "scalar.h"
 #include "text_scanner.h"
-
-#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-#error "this file takes the machine for a little-endian one"
-#endif
 
 namespace filmsticking::io {
 namespace {
 
 enum class Format { Ascii, LittleEndian, BigEndian };
 
-enum class Type { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float, Double };
-
 struct Property {
   std::string name;
-  Type type = Type::Float;
+  Scalar type = Scalar::Float;
   bool is_list = false;
-  Type count_type = Type::UInt8;
+  Scalar count_type = Scalar::UInt8;
 };
 
 struct Element {
@@ -38,27 +33,14 @@ struct Header {
   std::vector<Element> elements;
 };
 
-std::size_t size_of(Type type) {
-  switch (type) {
-    case Type::Int8:
-    case Type::UInt8:
-      return 1;
-    case Type::Int16:
-    case Type::UInt16:
-      return 2;
-    case Type::Double:
-      return 8;
-    default:
-      return 4;
-  }
-}
-
-Type parse_type(std::string_view name) {
-  static const std::map<std::string_view, Type> types = {
-      {"char", Type::Int8},   {"int8", Type::Int8},     {"uchar", Type::UInt8},   {"uint8", Type::UInt8},
-      {"short", Type::Int16}, {"int16", Type::Int16},   {"ushort", Type::UInt16}, {"uint16", Type::UInt16},
-      {"int", Type::Int32},   {"int32", Type::Int32},   {"uint", Type::UInt32},   {"uint32", Type::UInt32},
-      {"float", Type::Float}, {"float32", Type::Float}, {"double", Type::Double}, {"float64", Type::Double}};
+Scalar parse_type(std::string_view name) {
+  static const std::map<std::string_view, Scalar> types = {
+      {"char", Scalar::Int8},     {"int8", Scalar::Int8},     {"uchar", Scalar::UInt8},
+      {"uint8", Scalar::UInt8},   {"short", Scalar::Int16},   {"int16", Scalar::Int16},
+      {"ushort", Scalar::UInt16}, {"uint16", Scalar::UInt16}, {"int", Scalar::Int32},
+      {"int32", Scalar::Int32},   {"uint", Scalar::UInt32},   {"uint32", Scalar::UInt32},
+      {"float", Scalar::Float},   {"float32", Scalar::Float}, {"double", Scalar::Double},
+      {"float64", Scalar::Double}};
   const auto found = types.find(name);
   if (found == types.end()) throw IoError("its PLY header has an unknown type '" + std::string(name) + "'");
   return found->second;
@@ -112,33 +94,15 @@ class Body {
  public:
   Body(Format format, std::string_view bytes) : format_(format), bytes_(bytes), text_(bytes) {}
 
-  double value(Type type) {
+  double value(Scalar type) {
     if (format_ == Format::Ascii) return text_value(type);
-    unsigned char raw[8];
+    char raw[8];
     const std::size_t size = size_of(type);
     if (bytes_.size() < size) throw_short();
     std::memcpy(raw, bytes_.data(), size);
     bytes_.remove_prefix(size);
     if (format_ == Format::BigEndian) std::reverse(raw, raw + size);
-    switch (type) {
-      case Type::Int8:
-        return as<std::int8_t>(raw);
-      case Type::UInt8:
-        return as<std::uint8_t>(raw);
-      case Type::Int16:
-        return as<std::int16_t>(raw);
-      case Type::UInt16:
-        return as<std::uint16_t>(raw);
-      case Type::Int32:
-        return as<std::int32_t>(raw);
-      case Type::UInt32:
-        return as<std::uint32_t>(raw);
-      case Type::Float:
-        return static_cast<double>(as<float>(raw));
-      case Type::Double:
-        return as<double>(raw);
-    }
-    return 0;
+    return load(raw, type);
   }
 
   /// A list's length; a length that the rest of the file cannot hold is refused.
@@ -162,21 +126,14 @@ class Body {
  private:
   std::size_t remaining() const { return format_ == Format::Ascii ? text_.remaining() : bytes_.size(); }
 
-  double text_value(Type type) {
+  double text_value(Scalar type) {
     float single = 0;
     double value = 0;
-    if (!(type == Type::Float ? text_.number(single) : text_.number(value))) {
+    if (!(type == Scalar::Float ? text_.number(single) : text_.number(value))) {
       if (text_.remaining() == 0) throw_short();
       throw IoError("its body has a word that is not a number");
     }
-    return type == Type::Float ? static_cast<double>(single) : value;
-  }
-
-  template <typename T>
-  static T as(const unsigned char* raw) {
-    T value;
-    std::memcpy(&value, raw, sizeof value);
-    return value;
+    return type == Scalar::Float ? static_cast<double>(single) : value;
   }
 
   [[noreturn]] static void throw_short() { throw IoError("it ends before its PLY header says"); }
@@ -202,7 +159,7 @@ void read_vertices(Body& body, const Element& element, Model& model) {
   for (const Property& property : element.properties) {
     const auto found = roles.find(property.name);
     Role role = found == roles.end() || property.is_list ? Other : found->second;
-    if (role >= Red && role <= Blue && property.type != Type::UInt8) role = Other;
+    if (role >= Red && role <= Blue && property.type != Scalar::UInt8) role = Other;
     role_of.push_back(role);
     if (role != Other) has[role] = true;
   }
@@ -252,13 +209,6 @@ void skip(Body& body, const Element& element) {
       const std::size_t repeats = property.is_list ? body.list_size(property) : 1;
       for (std::size_t r = 0; r < repeats; ++r) body.value(property.type);
     }
-}
-
-template <typename T>
-void append(std::string& bytes, T value) {
-  unsigned char raw[sizeof value];
-  std::memcpy(raw, &value, sizeof value);
-  bytes.append(reinterpret_cast<const char*>(raw), sizeof value);
 }
 
 }  // namespace

@@ -2,10 +2,13 @@
 #include "stl.h"
 
 #include <cmath>
-#include <cstring>
+#include <map>
 
 #include "float_exact.h"
+#include "io_error.h"
 #include "number_text.h"
+#include "scalar.h"
+#include "text_scanner.h"
 
 namespace filmsticking::io {
 namespace {
@@ -18,14 +21,6 @@ Point unit_normal(const Point& a, const Point& b, const Point& c) {
   const double length = std::hypot(n[0], n[1], n[2]);
   for (double& x : n) x = length > 0 ? x / length : 0;
   return n;
-}
-
-/// The bytes of a little-endian number.
-template <typename T>
-void append(std::string& bytes, T value) {
-  char raw[sizeof value];
-  std::memcpy(raw, &value, sizeof value);
-  bytes.append(raw, sizeof value);
 }
 
 std::string encode_binary(const Model& model) {
@@ -66,7 +61,68 @@ std::string encode_text(const Model& model) {
   return text + "endsolid\n";
 }
 
+/// Puts triangles together from their corners; equal corners become one vertex.
+class CornerJoiner {
+ public:
+  void add(const Point& corner) {
+    const auto next = static_cast<std::int32_t>(model_.positions.size());
+    const auto [found, is_new] = numbers_.emplace(corner, next);
+    if (is_new) model_.positions.push_back(corner);
+    triangle_[corners_++ % 3] = found->second;
+    if (corners_ % 3 == 0) model_.triangles.push_back(triangle_);
+  }
+
+  Model take() {
+    if (corners_ == 0 || corners_ % 3 != 0) throw IoError("it is not a whole STL file");
+    return std::move(model_);
+  }
+
+ private:
+  Model model_;
+  std::map<Point, std::int32_t> numbers_;
+  Triangle triangle_{};
+  std::size_t corners_ = 0;
+};
+
+bool is_finite(const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
+
+Model decode_binary(std::string_view bytes) {
+  CornerJoiner joiner;
+  for (std::size_t facet = 84; facet + 50 <= bytes.size(); facet += 50)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const char* corner = bytes.data() + facet + 12 + 12 * k;
+      const Point p{load<float>(corner), load<float>(corner + 4), load<float>(corner + 8)};
+      if (!is_finite(p)) throw IoError("a corner in it is not finite");
+      joiner.add(p);
+    }
+  return joiner.take();
+}
+
+Model decode_text(std::string_view bytes) {
+  CornerJoiner joiner;
+  TextScanner text(bytes);
+  for (std::string_view word = text.word(); !word.empty(); word = text.word()) {
+    if (word != "vertex") continue;
+    Point p{};
+    for (double& x : p)
+      if (!text.number(x)) throw IoError("it is not a whole STL file");
+    if (!is_finite(p)) throw IoError("a corner in it is not finite");
+    joiner.add(p);
+  }
+  return joiner.take();
+}
+
 }  // namespace
+
+Model decode_stl(std::string_view bytes) {
+  // A text begins with "solid", but so do some binary files: their size tells. Others have more at their end.
+  const std::size_t size =
+      bytes.size() < 84 ? 84 : 84 + std::size_t{50} * load<std::uint32_t>(bytes.data() + 80);
+  if (bytes.size() == size) return decode_binary(bytes);
+  if (bytes.substr(0, 5) == "solid") return decode_text(bytes);
+  if (bytes.size() > size) return decode_binary(bytes.substr(0, size));
+  throw IoError("it is not a whole STL file");
+}
 
 std::string encode_stl(const Model& model) {
   return float_exact(model.positions) ? encode_binary(model) : encode_text(model);

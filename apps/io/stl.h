@@ -2,10 +2,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "model.h"
 
 namespace filmsticking::io {
+
+/// Reads an STL file, binary or text; equal corners become one vertex. Throws IoError.
+Model decode_stl(std::string_view bytes);
 
 /// An STL file: binary where single precision, all that it has, keeps every coordinate; else text.
 std::string encode_stl(const Model& model);

@@ -10,7 +10,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyDataReader.h>
 #include <vtkPolyDataWriter.h>
-#include <vtkSTLReader.h>
 #include <vtkUnsignedCharArray.h>
 
 #include "io_error.h"
@@ -82,16 +81,6 @@ Model from_polydata(vtkPolyData* data) {
       model.triangles.push_back({corner(0), corner(k - 1), corner(k)});
   }
   return model;
-}
-
-Model read_stl(const std::string& path) {
-  const QuietVtk quiet;
-  vtkNew<vtkSTLReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  if (reader->GetErrorCode() != 0 || reader->GetOutput()->GetNumberOfPoints() == 0)
-    throw IoError("it is not an STL file");
-  return from_polydata(reader->GetOutput());
 }
 
 Model read_vtk(const std::string& path) {

@@ -16,9 +16,6 @@ vtkSmartPointer<vtkPolyData> to_polydata(const Model& model);
 /// Points and polygons (as fans of triangles) of a VTK data set. Throws IoError.
 Model from_polydata(vtkPolyData* data);
 
-/// Reads an STL file by VTK, which joins equal corners. Throws IoError.
-Model read_stl(const std::string& path);
-
 /// Reads a legacy VTK file of polygonal data by VTK. Throws IoError.
 Model read_vtk(const std::string& path);
 

@@ -16,9 +16,11 @@ using namespace filmsticking::app;
 
 namespace {
 
-io::Model read(const std::string& path) {
+/// Runs `use` on a file and puts its name before what goes wrong with it.
+template <typename Use>
+auto with_file(const std::string& path, Use use) {
   try {
-    return io::read_model(path);
+    return use();
   } catch (const io::IoError& error) {
     throw io::IoError(path + ": " + error.what());
   }
@@ -30,20 +32,16 @@ void run(const CommandLine& command) {
 
   std::vector<Panel> panels;
   for (const std::string& path : command.meshes) {
-    Panel panel{read(path), ""};
-    if (panel.mesh.triangles.empty()) throw io::IoError(path + ": there are no triangles in it");
+    Panel panel{with_file(path, [&] { return io::read_mesh(path); }), ""};
     if (command.labels) panel.label = std::filesystem::path(path).filename().string();
     panels.push_back(std::move(panel));
   }
   std::vector<Point> points;
-  if (!command.points.empty()) points = read(command.points).positions;
+  if (!command.points.empty())
+    points = with_file(command.points, [&] { return io::read_cloud(command.points).positions; });
 
   const std::string png = render_png(panels, points, command.view);
-  try {
-    io::write_file(command.output, png);
-  } catch (const io::IoError& error) {
-    throw io::IoError(command.output + ": " + error.what());
-  }
+  with_file(command.output, [&] { io::write_file(command.output, png); });
   std::printf("wrote %s (%d x %d)\n", command.output.c_str(), command.view.width, command.view.height);
 }
 

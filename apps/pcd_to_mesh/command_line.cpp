@@ -135,7 +135,7 @@ std::string usage() {
   std::ostringstream text;
   text << "usage: pcd_to_mesh INPUT OUTPUT [options]\n\n"
           "Turns a point cloud without normals into a closed manifold triangle mesh through its points.\n"
-          "  INPUT   .pcd .ply .obj .xyz .txt .stl .vtk (of a mesh, the vertices)\n"
+          "  INPUT   .pcd .ply .obj .stl .xyz .txt (of a mesh, the vertices)\n"
           "  OUTPUT  .ply (binary) .obj .stl .vtk; coordinates keep all digits, colours go into .ply .obj "
           ".vtk\n\n"
        << visible_options()

@@ -123,7 +123,7 @@ void print_summary(const Result& result, const RunFacts& facts) {
 int run(const CommandLine& command) {
   const auto begin = std::chrono::steady_clock::now();
   stop_on_signal();
-  const io::Model cloud = with_file(command.input, [&] { return io::read_model(command.input); });
+  const io::Model cloud = with_file(command.input, [&] { return io::read_cloud(command.input); });
   check_outputs(command);
 
   StepDump dump(command.dump_steps);

@@ -59,7 +59,7 @@ TEST(PcdToMesh, MakesAMeshOfBun0) {
   EXPECT_EQ(outcome.err, "");  // no progress bar off a terminal
   EXPECT_NE(outcome.out.find("397 points"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("closed, manifold"), std::string::npos) << outcome.out;
-  expect_surface_through(io::read_model(folder / "bunny.ply"), io::read_model(kBunny));
+  expect_surface_through(io::read_mesh(folder / "bunny.ply"), io::read_cloud(kBunny));
   EXPECT_EQ(folder.count(), 1u);
 }
 
@@ -67,8 +67,8 @@ TEST(PcdToMesh, MakesAMeshOfSpot) {
   const ScratchFolder folder;
   const Outcome outcome = pcd_to_mesh({kSpot, folder / "spot.ply", "--report", folder / "spot.json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const Model mesh = io::read_model(folder / "spot.ply");
-  expect_surface_through(mesh, io::read_model(kSpot));
+  const Model mesh = io::read_mesh(folder / "spot.ply");
+  expect_surface_through(mesh, io::read_cloud(kSpot));
   EXPECT_GT(mesh.positions.size(), 9900u);
 
   boost::property_tree::ptree report;
@@ -99,7 +99,7 @@ TEST(PcdToMesh, MakesAMeshOfSpot) {
 
 TEST(PcdToMesh, ReadsEveryFormatToTheSameMesh) {
   const ScratchFolder folder;
-  const Model cloud = io::read_model(kBunny);
+  const Model cloud = io::read_cloud(kBunny);
   io::write_model(folder / "cloud.ply", {cloud.positions, {}, {}});
   io::write_model(folder / "cloud.obj", {cloud.positions, {}, {}});
   for (const char* name : {"cloud.xyz", "cloud.TXT"}) {
@@ -119,11 +119,11 @@ TEST(PcdToMesh, ReadsEveryFormatToTheSameMesh) {
 TEST(PcdToMesh, WritesEveryFormatWithTheSameBits) {
   const ScratchFolder folder;
   ASSERT_EQ(pcd_to_mesh({kBunny, folder / "mesh.ply"}).status, 0);
-  const Model expected = io::read_model(folder / "mesh.ply");
+  const Model expected = io::read_mesh(folder / "mesh.ply");
   for (const char* name : {"mesh.obj", "mesh.vtk", "mesh.stl"}) {
     const Outcome outcome = pcd_to_mesh({kBunny, folder / name});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
-    const Model mesh = io::read_model(folder / name);
+    const Model mesh = io::read_mesh(folder / name);
     const auto corner_points = [](const Model& model) {  // STL keeps no numbers of vertices
       std::vector<Point> points;
       for (const Triangle& t : model.triangles)
@@ -137,19 +137,19 @@ TEST(PcdToMesh, WritesEveryFormatWithTheSameBits) {
 
 TEST(PcdToMesh, LargeDoubleCoordinatesAreKept) {
   const ScratchFolder folder;
-  Model cloud = io::read_model(kBunny);
+  Model cloud = io::read_cloud(kBunny);
   for (Point& p : cloud.positions) p = {p[0] * 10 + 500000.1, p[1] * 10 + 4649776.7, p[2] * 10 + 123.4};
   io::write_model(folder / "cloud.ply", cloud);
   for (const char* name : {"mesh.ply", "mesh.obj", "mesh.vtk"}) {
     const Outcome outcome = pcd_to_mesh({folder / "cloud.ply", folder / name});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
-    expect_surface_through(io::read_model(folder / name), cloud);
+    expect_surface_through(io::read_mesh(folder / name), cloud);
   }
 }
 
 TEST(PcdToMesh, ColoursGoWithTheirPoints) {
   const ScratchFolder folder;
-  Model cloud = io::read_model(kBunny);
+  Model cloud = io::read_cloud(kBunny);
   std::map<Point, io::Colour> colour_of;
   for (std::size_t i = 0; i < cloud.positions.size(); ++i) {
     cloud.colours.push_back({static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i / 2), 77});
@@ -157,7 +157,7 @@ TEST(PcdToMesh, ColoursGoWithTheirPoints) {
   }
   io::write_model(folder / "cloud.ply", cloud);
   ASSERT_EQ(pcd_to_mesh({folder / "cloud.ply", folder / "mesh.ply"}).status, 0);
-  const Model mesh = io::read_model(folder / "mesh.ply");
+  const Model mesh = io::read_mesh(folder / "mesh.ply");
   ASSERT_EQ(mesh.colours.size(), mesh.positions.size());
   for (std::size_t k = 0; k < mesh.positions.size(); ++k)
     EXPECT_EQ(mesh.colours[k], colour_of.at(mesh.positions[k]));
@@ -191,7 +191,7 @@ TEST(PcdToMesh, EveryOptionWorks) {
       {"--max-rounds", "1"},
   };
   const ScratchFolder folder;
-  const Model cloud = io::read_model(kBunny);
+  const Model cloud = io::read_cloud(kBunny);
   for (const auto& choice : choices) {
     std::vector<std::string> arguments = {kBunny, folder / "mesh.ply"};
     arguments.insert(arguments.end(), choice.begin(), choice.end());
@@ -199,7 +199,7 @@ TEST(PcdToMesh, EveryOptionWorks) {
     const Outcome outcome = pcd_to_mesh(arguments);
     ASSERT_EQ(outcome.status, 0) << choice[0] << " " << choice.back() << ": " << outcome.err;
     SCOPED_TRACE(choice[0] + " " + choice.back());
-    expect_surface_through(io::read_model(folder / "mesh.ply"), cloud);
+    expect_surface_through(io::read_mesh(folder / "mesh.ply"), cloud);
   }
 }
 
@@ -210,7 +210,7 @@ TEST(PcdToMesh, DumpsTheFilmOfEachStep) {
   ASSERT_TRUE(fs::exists(folder / "new/steps/step_000.ply"));
   ASSERT_TRUE(fs::exists(folder / "new/steps/step_001.ply"));
   for (const auto& entry : fs::directory_iterator(folder / "new/steps")) {
-    const Model film = io::read_model(entry.path().string());
+    const Model film = io::read_mesh(entry.path().string());
     EXPECT_EQ(surface_fault({film.positions, film.triangles}), "") << entry.path();
   }
 }
@@ -263,6 +263,7 @@ TEST(PcdToMesh, BadInputsFailInOneSentence) {
       {"noise.pcd", "noise"},
       {"noise.stl", "noise"},
       {"noise.obj", "noise"},
+      {"noise.vtk", "noise"},
       {"noise.xyz", "noise"},
       {"three.xyz", "0 0 0\n1 0 0\n0 1 0\n"},
       {"repeated.xyz", "0 0 0\n1 0 0\n0 1 0\n0 1 0\n0 1 0\n"},
@@ -280,7 +281,7 @@ TEST(PcdToMesh, BadOutputsFailInOneSentence) {
   const ScratchFolder folder;
   fs::create_directory(folder / "folder.ply");
   fs::copy_file(kBunny, folder / "cloud.pcd");
-  io::write_model(folder / "cloud.ply", io::read_model(kBunny));
+  io::write_model(folder / "cloud.ply", io::read_cloud(kBunny));
   expect_failure({kBunny, folder / "mesh.foo"}, folder, 1);
   expect_failure({kBunny, folder / "mesh"}, folder, 1);
   expect_failure({kBunny, folder / "folder.ply"}, folder, 1);
