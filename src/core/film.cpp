@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <unordered_set>
+#include <utility>
 
 #include "attraction_weights.h"
 #include "dual_complex.h"
@@ -47,6 +48,23 @@ GuidingSurface film_step(const GuidingSurface& film, const PowerDiagram& diagram
   return film_of_sites(manifold_repair(dual, diagram.position, ring, counts), diagram.position);
 }
 
+namespace {
+
+// Steps without a new site on the film after which it counts as stalled.
+constexpr std::int64_t kPatience = 3;
+
+std::vector<Index> sites_off(const GuidingSurface& film, std::size_t points) {
+  std::vector<char> on(points, 0);
+  for (Index s : film.site)
+    if (s != kNone && static_cast<std::size_t>(s) < points) on[s] = 1;
+  std::vector<Index> off;
+  for (std::size_t s = 0; s < points; ++s)
+    if (!on[s]) off.push_back(static_cast<Index>(s));
+  return off;
+}
+
+}  // namespace
+
 std::int64_t attracted_points(const GuidingSurface& film, std::size_t points) {
   return std::count_if(film.site.begin(), film.site.end(),
                        [&](Index s) { return s != kNone && static_cast<std::size_t>(s) < points; });
@@ -63,25 +81,22 @@ GuidingSurface evolve_film(GuidingSurface film, const std::vector<Vec3>& sites, 
     triangulation = std::make_unique<DelaunayTriangulation>(sites);
     with_virtual = triangulation->voronoi();
   }
-  // Every film met so far: coming back to one means that nothing new will happen.
+  // Every film met since the last stall: coming back to one means that nothing new will happen.
   std::unordered_set<std::uint64_t> seen;
-  bool stalled = false;
-  std::int64_t best = -1, since_best = 0;
+  bool weighted_next = false;
+  std::int64_t best = -1, since_best = 0, best_at_stall = -1;
+  // Ends: virtual sites only leave; between two stalls the steps are bounded by kPatience for each rise of
+  // `best`; a stall without a rise since the one before ends it; and max_steps bounds it all.
   for (int step = 0; step < options.max_steps; ++step) {
     const auto start = std::chrono::steady_clock::now();
     StepRecord record;
     record.round = options.round;
     const PowerDiagram* diagram = virtual_left > 0 ? &with_virtual : &voronoi;
     PowerDiagram weighted;
-    if (stalled) {
-      std::vector<char> on(points, 0);
-      for (Index s : film.site)
-        if (s != kNone && static_cast<std::size_t>(s) < points) on[s] = 1;
-      std::vector<Index> off;
-      for (std::size_t s = 0; s < points; ++s)
-        if (!on[s]) off.push_back(static_cast<Index>(s));
+    if (weighted_next) {
       std::vector<double> weights;
-      record.weighted = static_cast<std::int64_t>(attraction_weights(film, sites, off, weights));
+      record.weighted =
+          static_cast<std::int64_t>(attraction_weights(film, sites, sites_off(film, points), weights));
       weighted = weighted_power_diagram(sites, weights, present);
       diagram = &weighted;
     }
@@ -107,7 +122,7 @@ GuidingSurface evolve_film(GuidingSurface film, const std::vector<Vec3>& sites, 
     const bool repeated = !seen.insert(connectivity_hash(film)).second;
     since_best = record.attracted > best ? 0 : since_best + 1;
     best = std::max(best, record.attracted);
-    // A virtual site that left changes the next step even where the film looks the same.
+    const bool was_weighted = std::exchange(weighted_next, false);  // weights only overcome a stall
     if (all_on && virtual_left > 0) {
       // Once all points are on the film, the remaining virtual sites go (paper, section 4.3).
       virtual_left = 0;
@@ -115,17 +130,13 @@ GuidingSurface evolve_film(GuidingSurface film, const std::vector<Vec3>& sites, 
       seen.clear();
       continue;
     }
-    if (left) continue;
-    const bool stuck = repeated || since_best >= 5;
-    if (!stuck) {
-      // After a weighted step, plain steps again: weights only overcome a stall.
-      stalled = false;
-      continue;
-    }
-    if (!options.weights || all_on || stalled) break;
-    stalled = true;
-    seen.clear();
+    // A virtual site that left changes the next step even where the film looks the same.
+    if (left || was_weighted || (!repeated && since_best < kPatience)) continue;
+    if (!options.weights || all_on || best <= best_at_stall) break;
+    best_at_stall = best;
+    weighted_next = true;
     since_best = 0;
+    seen.clear();
   }
   return film;
 }

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -267,15 +268,21 @@ class Repair {
   void fill_polygon(std::vector<Index> orbits, std::vector<Index> ports) {
     while (orbits.size() > 3) {
       const std::size_t n = orbits.size();
-      std::size_t best = 0;
-      double least = std::numeric_limits<double>::infinity();
-      bool best_double = true;
-      for (std::size_t k = 0; k < n; ++k) {
-        const Index a = orbits[k], b = orbits[(k + 1) % n], c = orbits[(k + 2) % n];
-        const bool twice = orbit_site_[a] == orbit_site_[c] || has_edge(a, c);
-        const double cost = circumradius2(at(a), at(b), at(c));
-        if ((twice == best_double && cost < least) || (best_double && !twice))
-          least = cost, best = k, best_double = twice;
+      // The cheapest ear whose chord is no edge yet; the test for that is the dear part, so cheapest first.
+      ears_.clear();
+      for (std::size_t k = 0; k < n; ++k)
+        ears_.emplace_back(circumradius2(at(orbits[k]), at(orbits[(k + 1) % n]), at(orbits[(k + 2) % n])), k);
+      std::make_heap(ears_.begin(), ears_.end(), std::greater<>());
+      std::size_t best = ears_.front().second;
+      while (!ears_.empty()) {
+        const std::size_t k = ears_.front().second;
+        const Index a = orbits[k], c = orbits[(k + 2) % n];
+        if (orbit_site_[a] != orbit_site_[c] && !has_edge(a, c)) {
+          best = k;
+          break;
+        }
+        std::pop_heap(ears_.begin(), ears_.end(), std::greater<>());
+        ears_.pop_back();
       }
       const std::size_t i = best, j = (best + 1) % n, k = (best + 2) % n;
       const Index h = add_triangle(orbits[i], orbits[j], orbits[k]);
@@ -400,6 +407,7 @@ class Repair {
   std::vector<std::pair<Index, Index>> neighbours_;
   std::vector<Index> outside_, inside_, star_, fresh_;
   std::vector<Vec3> ring_;
+  std::vector<std::pair<double, std::size_t>> ears_;
 };
 
 }  // namespace

@@ -176,6 +176,25 @@ GuidingSurface Pipeline::first_surface() {
   }
 }
 
+// Virtual sites for the cavities that the film has not reached: on the outer medial axis, where a ball can
+// roll to from outside, beside sites off the film. Given everywhere and from the first step they would pull
+// the film through the shape before the points are on it.
+std::vector<Vec3> Pipeline::with_virtual_sites(const GuidingSurface& film) const {
+  std::vector<Vec3> sites = sites_.perturbed;
+  if (options_.virtual_sites == 0) return sites;
+  std::vector<char> off(sites.size(), 1), wanted(mesh_.size(), 0);
+  for (Index s : film.site)
+    if (s != kNone) off[s] = 0;
+  const std::vector<double> width = carve_widths(mesh_, sites, geometry_.spacing);
+  for (std::size_t t = 0; t < mesh_.size(); ++t) {
+    if (mesh_.tets.infinite(static_cast<Index>(t)) || width[t] < 2) continue;
+    for (Index i : mesh_.tets.corners[t]) wanted[t] = static_cast<char>(wanted[t] | off[i]);
+  }
+  const std::vector<Vec3> extra = virtual_sites(mesh_, geometry_.spacing, options_.virtual_sites, wanted);
+  sites.insert(sites.end(), extra.begin(), extra.end());
+  return sites;
+}
+
 void Pipeline::rounds(Candidate& best) {
   if (options_.field == FieldMethod::None) return;
   for (int round = 0; round < options_.max_rounds && !settled(best); ++round) {
@@ -198,13 +217,8 @@ GuidingSurface Pipeline::run() {
     best = carve();
   } else {
     GuidingSurface film = first_surface();
-    std::vector<Vec3> sites = sites_.perturbed;
-    if (options_.virtual_sites != 0 && options_.initial_surface != InitialSurface::Given) {
-      double bound = 0;
-      for (const Vec3& p : film.positions) bound = std::max(bound, p.norm());
-      const std::vector<Vec3> extra = virtual_sites(mesh_, geometry_.spacing, bound, options_.virtual_sites);
-      sites.insert(sites.end(), extra.begin(), extra.end());
-    }
+    film = evolve(std::move(film), sites_.perturbed, options_.max_steps, false);
+    const std::vector<Vec3> sites = with_virtual_sites(film);
     film = evolve(std::move(film), sites, options_.max_steps, options_.weights);
     // A film that was stopped may still hold virtual sites; a step without them drops these.
     if (std::any_of(film.site.begin(), film.site.end(),

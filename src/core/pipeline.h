@@ -32,6 +32,7 @@ class Pipeline {
   void prepare();
   GuidingSurface first_surface();
   GuidingSurface evolve(GuidingSurface film, const std::vector<Vec3>& sites, int max_steps, bool weights);
+  std::vector<Vec3> with_virtual_sites(const GuidingSurface& film) const;
   Candidate finish(GuidingSurface film);
   Candidate cut(const std::vector<double>& belief, double conviction);
   std::vector<double> carve_belief(double width) const;

@@ -71,11 +71,11 @@ std::vector<Vec3> by_local_scale(const std::vector<Ball>& balls, std::size_t mos
 
 }  // namespace
 
-std::vector<Vec3> virtual_sites(const TetrahedralMesh& mesh, const std::vector<double>& spacing, double bound,
-                                int count) {
+std::vector<Vec3> virtual_sites(const TetrahedralMesh& mesh, const std::vector<double>& spacing, int count,
+                                const std::vector<char>& wanted) {
   std::vector<Ball> balls;
   for (std::size_t t = 0; t < mesh.size(); ++t) {
-    if (mesh.tets.infinite(static_cast<Index>(t)) || mesh.circumcentre[t].norm() > bound) continue;
+    if (mesh.tets.infinite(static_cast<Index>(t)) || !wanted[t]) continue;
     double local = 0;
     for (Index i : mesh.tets.corners[t]) local = std::max(local, spacing[i]);
     if (mesh.circumradius[t] > 2 * local) balls.push_back({mesh.circumcentre[t], mesh.circumradius[t]});
