@@ -17,8 +17,14 @@ namespace filmsticking::test {
 /// Six times the volume that the triangles enclose; positive when they wind outward.
 inline double signed_volume(const Mesh& mesh) {
   double sum = 0;
+  if (mesh.positions.empty()) return sum;
+  const auto from_first = [&](int vertex) {  // large coordinates would swamp the sum
+    Point p = mesh.positions[vertex];
+    for (int k = 0; k < 3; ++k) p[k] -= mesh.positions[0][k];
+    return p;
+  };
   for (const Triangle& t : mesh.triangles) {
-    const Point &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+    const Point a = from_first(t[0]), b = from_first(t[1]), c = from_first(t[2]);
     sum += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
            a[2] * (b[0] * c[1] - b[1] * c[0]);
   }
