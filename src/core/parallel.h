@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace filmsticking {
 
@@ -26,6 +27,21 @@ void parallel_each(std::size_t n, const Body& body) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 256), [&](const tbb::blocked_range<std::size_t>& r) {
     for (std::size_t i = r.begin(); i != r.end(); ++i) body(i);
   });
+}
+
+/// The sum of term(i) over [0, n), added up in the same order for any number of threads.
+template <class Term>
+double parallel_sum(std::size_t n, const Term& term) {
+  constexpr std::size_t kChunk = 8192;
+  std::vector<double> part((n + kChunk - 1) / kChunk, 0);
+  parallel_chunks(n, kChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (std::size_t i = begin; i < end; ++i) sum += term(i);
+    part[chunk] = sum;
+  });
+  double sum = 0;
+  for (double p : part) sum += p;
+  return sum;
 }
 
 }  // namespace filmsticking

@@ -147,7 +147,7 @@ bool Pipeline::settled(const Candidate& candidate) const {
 // The first film by local evidence alone; where it leaves many sites off, also by carving at a few widths.
 Pipeline::Candidate Pipeline::carve() {
   monitor_.enter("signed field", 0.25);
-  const std::vector<double> belief = signed_field(mesh_, evidence_);
+  const std::vector<double> belief = signed_field(mesh_, evidence_, carve_belief(2));
   Candidate best = cut(belief, kConviction);
   const double trouble = static_cast<double>(best.inserted + best.quality.off);
   if (!best.film.triangles.empty() && trouble <= 0.01 * static_cast<double>(sites_.size())) return best;

@@ -12,8 +12,10 @@ namespace filmsticking {
 /// tetrahedra on its two sides are opposite, one without votes that they are the same; the infinite ones are
 /// outside. The least-squares compromise, weighted by the facets' areas, is a linear system with a signed
 /// Laplacian (the idea of Kolluri, Shewchuk and O'Brien, "Spectral surface reconstruction from noisy point
-/// clouds", 2004, with the outside given instead of an eigenvector), solved by conjugate gradients.
+/// clouds", 2004, with the outside given instead of an eigenvector), solved by conjugate gradients
+/// from a `guess`, one value per tetrahedron.
 /// Belief per tetrahedron: about 1 inside, -1 outside, near 0 where the evidence contradicts itself.
-std::vector<double> signed_field(const TetrahedralMesh& mesh, const FacetEvidence& evidence);
+std::vector<double> signed_field(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
+                                 std::vector<double> guess);
 
 }  // namespace filmsticking
