@@ -30,6 +30,7 @@ void run(const CommandLine& command) {
   const char* display = std::getenv("DISPLAY");
   if (!display || !*display) throw io::IoError("there is no X display; xvfb-run -a brings one");
 
+  with_file(command.output, [&] { io::check_writable(command.output); });
   std::vector<Panel> panels;
   for (const std::string& path : command.meshes) {
     Panel panel{with_file(path, [&] { return io::read_mesh(path); }), ""};
