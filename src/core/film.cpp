@@ -105,10 +105,11 @@ GuidingSurface evolve_film(GuidingSurface film, const std::vector<Vec3>& sites, 
     if (next.triangles.empty()) break;
 
     bool left = false;
-    for (Index s : next.site)
-      if (s != kNone && static_cast<std::size_t>(s) >= points && present[s]) {
-        present[s] = 0, left = true, --virtual_left;
+    for (Index& s : next.site)
+      if (s != kNone && static_cast<std::size_t>(s) >= points) {
         triangulation->remove(s);
+        present[s] = 0, left = true, --virtual_left;
+        s = kNone;  // its place stays a vertex of the film, of no site, until the next step
       }
     if (left && virtual_left > 0) with_virtual = triangulation->voronoi();
     film = std::move(next);

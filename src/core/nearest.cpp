@@ -110,6 +110,8 @@ SurfaceTree::SurfaceTree(const GuidingSurface& surface) : impl_(new Impl) {
                                   cgal_point(surface.positions[t[2]]));
   impl_->tree.insert(impl_->triangles.cbegin(), impl_->triangles.cend());
   impl_->tree.build();
+  // Not left to the first query: queries come from several threads.
+  impl_->tree.accelerate_distance_queries();
 }
 SurfaceTree::~SurfaceTree() = default;
 

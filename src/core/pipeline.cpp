@@ -31,6 +31,11 @@ constexpr double kWrapAlpha = 0.05;
 // An inserted site may be this many longest edges of its face away from it.
 constexpr double kReach = 2;
 
+// Is there a film, and are all its vertices sites?
+bool of_sites(const GuidingSurface& film) {
+  return !film.triangles.empty() && std::count(film.site.begin(), film.site.end(), kNone) == 0;
+}
+
 }  // namespace
 
 Pipeline::Pipeline(const SiteSet& sites, const Options& options, Monitor& monitor, Report& report)
@@ -52,8 +57,17 @@ void Pipeline::prepare() {
   evidence_ = facet_evidence(mesh_, sites_.perturbed, geometry_);
 }
 
+void Pipeline::show(const GuidingSurface& film) const {
+  if (!monitor_.execution().on_step) return;
+  Mesh mesh;
+  for (const Vec3& p : film.positions) mesh.positions.push_back(sites_.to_input(p));
+  mesh.triangles.assign(film.triangles.begin(), film.triangles.end());
+  monitor_.execution().on_step(static_cast<int>(report_.steps.size()), mesh);
+}
+
 GuidingSurface Pipeline::evolve(GuidingSurface film, const std::vector<Vec3>& sites, int max_steps, bool weights) {
   monitor_.enter("film", monitor_.share());
+  if (report_.steps.empty()) show(film);
   FilmOptions options;
   options.ring = options_.ring;
   options.weights = weights;
@@ -63,12 +77,7 @@ GuidingSurface Pipeline::evolve(GuidingSurface film, const std::vector<Vec3>& si
     report_.steps.push_back(record);
     // Half of what is left for a long evolution, step by step.
     monitor_.progress(monitor_.share() + (0.95 - monitor_.share()) * 0.05);
-    if (monitor_.execution().on_step) {
-      Mesh mesh;
-      for (const Vec3& p : now.positions) mesh.positions.push_back(sites_.to_input(p));
-      mesh.triangles.assign(now.triangles.begin(), now.triangles.end());
-      monitor_.execution().on_step(static_cast<int>(report_.steps.size()), mesh);
-    }
+    show(now);
     return true;
   };
   return evolve_film(std::move(film), sites, sites_.size(), voronoi_, options);
@@ -77,9 +86,9 @@ GuidingSurface Pipeline::evolve(GuidingSurface film, const std::vector<Vec3>& si
 // What follows the last film step: sites still off the film are inserted where that is clean.
 Pipeline::Candidate Pipeline::finish(GuidingSurface film) {
   Candidate candidate;
-  if (film.triangles.empty()) return candidate;
+  // A film that never came off the first surface has vertices that are no sites.
+  if (!of_sites(film)) return candidate;
   candidate.film = std::move(film);
-  // Virtual sites may be left on a film that was stopped; they are no sites of the result.
   if (options_.insert_leftover) {
     monitor_.enter("insertion", monitor_.share());
     std::vector<char> on(sites_.size(), 0);
@@ -159,21 +168,41 @@ Pipeline::Candidate Pipeline::carve() {
   return best;
 }
 
-GuidingSurface Pipeline::first_surface() {
-  monitor_.enter("first surface", 0.2);
+// The surfaces to start from, the next where the film of one before it failed: a wrap that is finer than the
+// gaps between the points crawls through them, and a coarser one or the sphere does not.
+std::vector<std::function<GuidingSurface()>> Pipeline::first_surfaces() const {
+  const auto sphere = [this] { return bounding_sphere(sites_.perturbed); };
+  const auto wrap = [this](double alpha) { return [this, alpha] { return alpha_wrap(sites_.perturbed, alpha); }; };
+  const auto given = [this] {
+    GuidingSurface surface;
+    for (const Point& p : options_.guiding_surface->positions) surface.positions.push_back(sites_.to_unit(p));
+    surface.site.assign(surface.positions.size(), kNone);
+    surface.triangles.assign(options_.guiding_surface->triangles.begin(), options_.guiding_surface->triangles.end());
+    return surface;
+  };
   switch (options_.initial_surface) {
-    case InitialSurface::Wrap:
-      return alpha_wrap(sites_.perturbed, kWrapAlpha);
-    case InitialSurface::Given: {
-      GuidingSurface given;
-      for (const Point& p : options_.guiding_surface->positions) given.positions.push_back(sites_.to_unit(p));
-      given.site.assign(given.positions.size(), kNone);
-      for (const Triangle& t : options_.guiding_surface->triangles) given.triangles.push_back(t);
-      return given;
-    }
-    default:
-      return bounding_sphere(sites_.perturbed);
+    case InitialSurface::Wrap: return {wrap(kWrapAlpha), wrap(2 * kWrapAlpha), wrap(4 * kWrapAlpha), sphere};
+    case InitialSurface::Given: return {given};
+    default: return {sphere};
   }
+}
+
+// The film by plain steps from the first surface, and by virtual sites and weights once it stalls.
+GuidingSurface Pipeline::film_from_outside() {
+  GuidingSurface film;
+  for (const auto& first : first_surfaces()) {
+    monitor_.enter("first surface", 0.2);
+    const std::size_t steps_before = report_.steps.size();
+    film = evolve(first(), sites_.perturbed, options_.max_steps, false);
+    // A leaked film is a double skin: nearly every site has two regions of it.
+    const bool leaked = report_.steps.size() > steps_before &&
+                        2 * report_.steps[steps_before].regions_repaired > report_.sites;
+    if (of_sites(film) && !leaked) break;
+  }
+  if (!of_sites(film)) return {};
+  film = evolve(std::move(film), with_virtual_sites(film), options_.max_steps, options_.weights);
+  // A film that was stopped may still hold the places of virtual sites; a step without them drops these.
+  return of_sites(film) ? std::move(film) : evolve(std::move(film), sites_.perturbed, 1, false);
 }
 
 // Virtual sites for the cavities that the film has not reached: on the outer medial axis, where a ball can
@@ -216,15 +245,7 @@ GuidingSurface Pipeline::run() {
   if (options_.initial_surface == InitialSurface::Carve) {
     best = carve();
   } else {
-    GuidingSurface film = first_surface();
-    film = evolve(std::move(film), sites_.perturbed, options_.max_steps, false);
-    const std::vector<Vec3> sites = with_virtual_sites(film);
-    film = evolve(std::move(film), sites, options_.max_steps, options_.weights);
-    // A film that was stopped may still hold virtual sites; a step without them drops these.
-    if (std::any_of(film.site.begin(), film.site.end(),
-                    [&](Index s) { return s == kNone || s >= static_cast<Index>(sites_.size()); }))
-      film = evolve(std::move(film), sites_.perturbed, 1, false);
-    best = finish(std::move(film));
+    best = finish(film_from_outside());
   }
   rounds(best);
   report_.inserted = best.inserted;

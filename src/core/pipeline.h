@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "field/facet_evidence.h"
 #include "field/site_geometry.h"
 #include "field/tetrahedral_mesh.h"
@@ -30,7 +33,9 @@ class Pipeline {
   };
 
   void prepare();
-  GuidingSurface first_surface();
+  std::vector<std::function<GuidingSurface()>> first_surfaces() const;
+  GuidingSurface film_from_outside();
+  void show(const GuidingSurface& film) const;
   GuidingSurface evolve(GuidingSurface film, const std::vector<Vec3>& sites, int max_steps, bool weights);
   std::vector<Vec3> with_virtual_sites(const GuidingSurface& film) const;
   Candidate finish(GuidingSurface film);

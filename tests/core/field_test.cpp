@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The field methods on the Delaunay tetrahedra.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dual_complex.h"
+#include "field/carve.h"
+#include "field/minimum_cut.h"
+#include "field/poisson.h"
+#include "field/sculpt.h"
+#include "field/signed_field.h"
+#include "field/winding_number.h"
+#include "film.h"
+#include "film_quality.h"
+#include "site_set.h"
+#include "support/clouds.h"
+#include "triangle_adjacency.h"
+
+namespace filmsticking {
+namespace {
+
+struct Setting {
+  SiteSet set;
+  TetrahedralMesh mesh;
+  SiteGeometry geometry;
+  FacetEvidence evidence;
+  explicit Setting(const std::vector<Point>& points)
+      : set(make_site_set(points)),
+        mesh(make_tetrahedral_mesh(DelaunayTriangulation(set.perturbed).tetrahedra(), set.perturbed)),
+        geometry(site_geometry(set.perturbed)),
+        evidence(facet_evidence(mesh, set.perturbed, geometry)) {}
+  Vec3 centre(std::size_t t) const {
+    Vec3 c = Vec3::Zero();
+    for (Index i : mesh.tets.corners[t]) c += set.perturbed[i] / 4;
+    return c;
+  }
+};
+
+TEST(TetrahedralMesh, FacetsFaceOutAndMirrorsMatch) {
+  const Setting s(test::sphere(300, 1));
+  for (std::size_t t = 0; t < s.mesh.size(); ++t)
+    for (int k = 0; k < 4; ++k) {
+      const Index mirror = s.mesh.mirror[t][k];
+      EXPECT_EQ(s.mesh.mirror[mirror / 4][mirror % 4], static_cast<Index>(4 * t) + k);
+      if (s.mesh.tets.infinite(static_cast<Index>(t))) continue;
+      const auto& c = s.mesh.tets.corners[t];
+      const Vec3 &a = s.set.perturbed[c[kFacet[k][0]]], &b = s.set.perturbed[c[kFacet[k][1]]],
+                 &d = s.set.perturbed[c[kFacet[k][2]]];
+      EXPECT_GT((b - a).cross(d - a).dot(a - s.set.perturbed[c[k]]), 0);
+      EXPECT_NEAR((s.mesh.circumcentre[t] - s.set.perturbed[c[k]]).norm() / s.mesh.circumradius[t], 1, 1e-6);
+    }
+}
+
+TEST(TetrahedralBoundary, IsClosedForAnyLabelsAndRepairsToAManifold) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const Setting s(test::sphere(120, seed));
+    test::Random random(seed);
+    std::vector<char> inside(s.mesh.size());
+    for (std::size_t t = 0; t < inside.size(); ++t)
+      inside[t] = !s.mesh.tets.infinite(static_cast<Index>(t)) && random.below(2);
+    const HalfEdgeComplex c = tetrahedral_boundary(s.mesh, inside, s.set.perturbed);
+    for (Index h = 0; h < static_cast<Index>(c.twin.size()); ++h) {
+      ASSERT_EQ(c.twin[c.twin[h]], h);
+      ASSERT_EQ(c.site[c.twin[h]], c.site[next_in_face(h)]);
+    }
+    RepairCounts counts;
+    const GuidingSurface film =
+        film_of_sites(manifold_repair(c, s.set.perturbed, RingChoice::Smooth, counts), s.set.perturbed);
+    if (!film.triangles.empty()) { EXPECT_TRUE(check_manifold(film.triangles, static_cast<Index>(film.positions.size())).ok()) << seed; }
+  }
+}
+
+// All cuts of small graphs, one by one.
+TEST(MinimumCut, IsMinimal) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    test::Random random(seed);
+    const int n = 2 * (2 + random.below(4));  // four arcs each: pair the arc ends at random
+    std::vector<Index> ends(4 * n);
+    for (int i = 0; i < 4 * n; ++i) ends[i] = i;
+    for (int i = 4 * n; i > 1; --i) std::swap(ends[i - 1], ends[random.below(i)]);
+    std::vector<std::array<Index, 4>> mirror(n);
+    CutGraph graph{mirror, {}, {}};
+    graph.capacity.assign(n, {0, 0, 0, 0});
+    for (int i = 0; i < 4 * n; i += 2) {
+      const Index a = ends[i], b = ends[i + 1];
+      mirror[a / 4][a % 4] = b, mirror[b / 4][b % 4] = a;
+      if (a / 4 != b / 4) graph.capacity[a / 4][a % 4] = graph.capacity[b / 4][b % 4] = random.below(20);
+    }
+    for (int i = 0; i < n; ++i) graph.terminal.push_back(random.below(41) - 20);
+    const CutGraph original = graph;
+    auto cost = [&](const std::vector<char>& side) {
+      std::int64_t sum = 0;
+      for (int i = 0; i < n; ++i) {
+        if (side[i] != (original.terminal[i] > 0)) sum += std::abs(original.terminal[i]);
+        for (int k = 0; k < 4; ++k)
+          if (side[i] && !side[mirror[i][k] / 4]) sum += original.capacity[i][k];
+      }
+      return sum;
+    };
+    std::int64_t least = INT64_MAX;
+    for (int bits = 0; bits < 1 << n; ++bits) {
+      std::vector<char> side(n);
+      for (int i = 0; i < n; ++i) side[i] = bits >> i & 1;
+      least = std::min(least, cost(side));
+    }
+    EXPECT_EQ(cost(minimum_cut(graph, std::vector<char>(n, 0))), least) << seed;
+  }
+}
+
+TEST(WindingNumber, IsOneInsideAndNoneOutside) {
+  const Setting s(test::sphere(3000, 2));
+  std::vector<Vec3> dipoles;
+  for (const Vec3& p : s.set.perturbed) dipoles.push_back(p.normalized() * (M_PI / 3000));
+  const WindingNumber winding(s.set.perturbed, dipoles);
+  test::Random random(3);
+  for (int i = 0; i < 200; ++i) {
+    const Point d = random.direction();
+    const Vec3 v(d[0], d[1], d[2]);
+    for (const double radius : {0.4 * random.uniform(), 0.6 + random.uniform()}) {
+      const Vec3 x = radius * v;
+      double direct = 0;  // without grouping; the samples' own unevenness is in both
+      for (std::size_t k = 0; k < dipoles.size(); ++k) {
+        const Vec3 to = s.set.perturbed[k] - x;
+        direct += dipoles[k].dot(to) / (4 * M_PI * std::pow(to.norm(), 3));
+      }
+      EXPECT_NEAR(winding(x), direct, 0.04);  // a group is one dipole from 2.3 radii on
+      EXPECT_NEAR(winding(x), radius < 0.5 ? 1 : 0, 0.15);
+    }
+  }
+}
+
+TEST(WindingNumber, PlatesLeaveNoTrace) {
+  // Two layers over the same sites: the vectors cancel.
+  GuidingSurface plate;
+  plate.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  plate.site = {0, 1, 2, 3};
+  plate.triangles = {{0, 1, 2}, {1, 3, 2}, {0, 2, 1}, {1, 2, 3}};
+  for (const Vec3& d : film_dipoles(plate, 4)) EXPECT_EQ(d.norm(), 0);
+}
+
+TEST(Carve, ReachesTheOutsideAndNoSolid) {
+  const Setting s(test::torus(4000, 4));
+  const auto width = carve_widths(s.mesh, s.set.perturbed, s.geometry.spacing);
+  int wrong = 0, deep = 0;
+  for (std::size_t t = 0; t < s.mesh.size(); ++t) {
+    if (s.mesh.tets.infinite(static_cast<Index>(t))) continue;
+    const Vec3 x = s.mesh.circumcentre[t] * s.set.side + s.set.centre;
+    const double off = std::hypot(std::hypot(x.x(), x.y()) - 1, x.z()) - 0.4;
+    if (std::abs(off) < 0.15) continue;  // near the surface both are right
+    ++deep;
+    wrong += (off < 0) != (width[t] < 2.5);
+  }
+  EXPECT_GT(deep, 100);
+  EXPECT_LT(wrong, deep / 100);
+}
+
+TEST(SignedField, KnowsNestedSpheresByParity) {
+  auto points = test::sphere(6000, 5);
+  for (const Point& p : test::sphere(1500, 6, {0, 0, 0}, 0.5)) points.push_back(p);
+  const Setting s(points);
+  const auto field = signed_field(s.mesh, s.evidence, std::vector<double>(s.mesh.size(), 0));
+  int right = 0, all = 0;
+  for (std::size_t t = 0; t < s.mesh.size(); ++t) {
+    if (s.mesh.tets.infinite(static_cast<Index>(t))) continue;
+    const double r = s.centre(t).norm() * 2;
+    if (std::abs(r - 1) < 0.1 || std::abs(r - 0.5) < 0.1) continue;
+    ++all;
+    right += (field[t] > 0) == (r < 1 && r > 0.5);
+  }
+  EXPECT_GT(right, all * 99 / 100);
+}
+
+TEST(Sculpt, FollowsTheEvidenceWhereTheBeliefIsVague) {
+  const Setting s(test::sphere(3000, 7));
+  std::vector<double> belief(s.mesh.size(), -1);
+  for (std::size_t t = 0; t < s.mesh.size(); ++t)
+    if (!s.mesh.tets.infinite(static_cast<Index>(t))) belief[t] = s.centre(t).norm() < 0.45 ? 1 : 0;
+  const auto inside = sculpt(s.mesh, s.evidence, belief, 0.1);
+  RepairCounts counts;
+  const GuidingSurface film = film_of_sites(
+      manifold_repair(tetrahedral_boundary(s.mesh, inside, s.set.perturbed), s.set.perturbed, RingChoice::Smooth, counts),
+      s.set.perturbed);
+  EXPECT_GT(film.site.size(), 2990u);
+  EXPECT_LT(film_quality(film, s.geometry).disagreement, 0.02);
+}
+
+TEST(Poisson, SeparatesInsideFromOutside) {
+  const Setting s(test::sphere(2000, 8));
+  std::vector<Vec3> normals;
+  for (const Vec3& p : s.set.perturbed) normals.push_back(p.normalized());
+  const auto belief = poisson_belief(s.mesh, s.set.perturbed, normals);
+  ASSERT_EQ(belief.size(), s.mesh.size());
+  int right = 0, all = 0;
+  for (std::size_t t = 0; t < s.mesh.size(); ++t) {
+    if (s.mesh.tets.infinite(static_cast<Index>(t)) || std::abs(s.centre(t).norm() - 0.5) < 0.03) continue;
+    ++all;
+    right += (belief[t] > 0) == (s.centre(t).norm() < 0.5);
+  }
+  EXPECT_GT(right, all * 99 / 100);
+  EXPECT_TRUE(poisson_belief(s.mesh, s.set.perturbed, std::vector<Vec3>(s.set.size(), Vec3::Zero())).empty());
+}
+
+}  // namespace
+}  // namespace filmsticking

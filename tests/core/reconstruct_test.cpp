@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The guarantees of reconstruct(), by number, over generated and real clouds.
+#include "filmsticking/reconstruct.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "support/clouds.h"
+#include "support/surface_check.h"
+
+namespace filmsticking {
+namespace {
+
+Mesh mesh_of(const Result& result, const std::vector<Point>& points) {
+  Mesh mesh;
+  for (std::int32_t i : result.vertices) mesh.positions.push_back(points.at(i));
+  mesh.triangles = result.triangles;
+  return mesh;
+}
+
+// Guarantees 1 to 4 and 6, whatever the input.
+void expect_promise(const Result& result, const std::vector<Point>& points) {
+  if (result.status != Status::Ok) {
+    EXPECT_TRUE(result.triangles.empty() && result.vertices.empty());
+    EXPECT_FALSE(result.message.empty());
+    return;
+  }
+  EXPECT_TRUE(result.message.empty());
+  EXPECT_TRUE(std::is_sorted(result.vertices.begin(), result.vertices.end()));
+  const Mesh mesh = mesh_of(result, points);
+  EXPECT_EQ(test::surface_fault(mesh), "");
+  EXPECT_TRUE(result.report.closed && result.report.manifold);
+  EXPECT_EQ(result.report.interpolated, static_cast<std::int64_t>(mesh.positions.size()));
+}
+
+std::map<std::string, std::vector<Point>> clouds() {
+  auto two = test::sphere(1500, 3);
+  for (const Point& p : test::sphere(1500, 4, {3, 0, 0})) two.push_back(p);
+  return {{"sphere", test::sphere(2000, 1)},   {"torus", test::torus(3000, 2)},
+          {"two spheres", two},                {"cube", test::box(3000, 5, {1, 1, 1})},
+          {"thin plate", test::box(3000, 6, {1, 1, 0.02})}, {"grid", test::grid(9)},
+          {"bun0", test::read_text_pcd(TEST_DATA "/bun0.pcd")},
+          {"spot", test::read_float_ply(TEST_DATA "/spot_10k.ply")}};
+}
+
+Options options_of(InitialSurface first, FieldMethod field) {
+  Options options;
+  options.initial_surface = first;
+  options.field = field;
+  options.max_steps = 20;
+  options.max_rounds = 2;
+  return options;
+}
+
+TEST(Reconstruct, Guarantee1to4_EveryWayOnEveryCloud) {
+  for (const auto& [name, points] : clouds())
+    for (const InitialSurface first : {InitialSurface::Carve, InitialSurface::Wrap, InitialSurface::Sphere})
+      for (const FieldMethod field : {FieldMethod::Sculpt, FieldMethod::None, FieldMethod::Poisson}) {
+        SCOPED_TRACE(name + " " + std::to_string(int(first)) + " " + std::to_string(int(field)));
+        ASSERT_GT(points.size(), 300u);
+        const Result result = reconstruct(points, options_of(first, field));
+        EXPECT_EQ(result.status, Status::Ok) << result.message;
+        expect_promise(result, points);
+        if (result.report.components == 1) { EXPECT_GT(test::signed_volume(mesh_of(result, points)), 0); }
+      }
+}
+
+TEST(Reconstruct, Guarantee1to6_OnAwkwardClouds) {
+  int made = 0;
+  for (std::uint64_t seed = 0; seed < 1500; ++seed) {
+    SCOPED_TRACE(seed);
+    const auto points = test::awkward(seed);
+    const Result result = reconstruct(points);
+    EXPECT_NE(result.status, Status::InternalError) << result.message;
+    expect_promise(result, points);
+    made += result.status == Status::Ok;
+  }
+  EXPECT_GT(made, 500);
+}
+
+TEST(Reconstruct, Guarantee5_SameBytesForAnyThreadsAndOrder) {
+  for (const auto& [name, points] : clouds()) {
+    SCOPED_TRACE(name);
+    Options options;
+    options.threads = 1;
+    const Result one = reconstruct(points, options);
+    for (const int threads : {2, 8, 0}) {
+      options.threads = threads;
+      const Result other = reconstruct(points, options);
+      EXPECT_EQ(one.vertices, other.vertices);
+      EXPECT_EQ(one.triangles, other.triangles);
+    }
+    auto reversed = points;
+    std::reverse(reversed.begin(), reversed.end());
+    const Result back = reconstruct(reversed);
+    EXPECT_EQ(back.report.genus, one.report.genus);
+    std::vector<Point> a = mesh_of(one, points).positions, b = mesh_of(back, reversed).positions;
+    std::sort(a.begin(), a.end());
+    std::sort(b.begin(), b.end());
+    EXPECT_EQ(a, b);
+  }
+}
+
+TEST(Reconstruct, FindsTheTopology) {
+  struct Case {
+    const char* name;
+    std::int64_t genus, components;
+  };
+  auto all = clouds();
+  for (const Case& c : {Case{"sphere", 0, 1}, Case{"torus", 1, 1}, Case{"two spheres", 0, 2}, Case{"cube", 0, 1},
+                        Case{"spot", 0, 1}}) {
+    const Result result = reconstruct(all[c.name]);
+    EXPECT_EQ(result.report.genus, c.genus) << c.name;
+    EXPECT_EQ(result.report.components, c.components) << c.name;
+    EXPECT_GE(result.report.interpolated, result.report.sites * 999 / 1000) << c.name;
+  }
+}
+
+TEST(Reconstruct, ACavityIsACutOutOfTheVolume) {
+  auto points = test::sphere(4000, 7);
+  for (const Point& p : test::sphere(1000, 8, {0, 0, 0}, 0.5)) points.push_back(p);
+  const Result result = reconstruct(points);
+  EXPECT_EQ(result.report.components, 2);
+  EXPECT_EQ(result.report.genus, 0);
+  const double ball = 4 * M_PI / 3;
+  EXPECT_NEAR(test::signed_volume(mesh_of(result, points)) / 6, ball * (1 - 0.125), 0.02 * ball);
+}
+
+TEST(Reconstruct, VolumeComesNearTheTruth) {
+  const auto points = test::torus(5000, 9);
+  const double truth = 2 * M_PI * M_PI * 0.4 * 0.4;
+  EXPECT_NEAR(test::signed_volume(mesh_of(reconstruct(points), points)) / 6, truth, 0.02 * truth);
+}
+
+TEST(Reconstruct, RefusesWhatEnclosesNothing) {
+  EXPECT_EQ(reconstruct({}).status, Status::TooFewPoints);
+  EXPECT_EQ(reconstruct({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).status, Status::TooFewPoints);
+  EXPECT_EQ(reconstruct(std::vector<Point>(50, {1, 2, 3})).status, Status::TooFewPoints);
+  std::vector<Point> line, plane;
+  for (int i = 0; i < 30; ++i) {
+    line.push_back({0.1 * i, 0.2 * i, 0.3 * i});
+    plane.push_back({float(i % 6), float(i / 6), float(i % 6) * 0.3f + float(i / 6) * 0.7f});
+  }
+  EXPECT_EQ(reconstruct(line).status, Status::Coplanar);
+  EXPECT_EQ(reconstruct(plane).status, Status::Coplanar);
+}
+
+TEST(Reconstruct, FourPointsMakeATetrahedron) {
+  const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const Result result = reconstruct(points);
+  EXPECT_EQ(result.status, Status::Ok);
+  expect_promise(result, points);
+  EXPECT_EQ(result.triangles.size(), 4u);
+}
+
+TEST(Reconstruct, RefusesWrongOptions) {
+  const auto points = test::sphere(100, 10);
+  for (int wrong = 0; wrong < 4; ++wrong) {
+    Options options;
+    if (wrong == 0) options.max_steps = 0;
+    if (wrong == 1) options.max_rounds = -1;
+    if (wrong == 2) options.threads = -1;
+    if (wrong == 3) options.virtual_sites = -2;
+    const Result result = reconstruct(points, options);
+    EXPECT_EQ(result.status, Status::InvalidOptions);
+    EXPECT_FALSE(result.message.empty());
+  }
+}
+
+TEST(Reconstruct, TakesAGivenSurfaceAndRefusesAnOpenOne) {
+  const auto points = test::torus(2000, 11);
+  const Result first = reconstruct(points);
+  auto given = std::make_shared<Mesh>(mesh_of(first, points));
+  Options options;
+  options.initial_surface = InitialSurface::Given;
+  EXPECT_EQ(reconstruct(points, options).status, Status::InvalidGuidingSurface);  // none
+  options.guiding_surface = given;
+  const Result again = reconstruct(points, options);
+  EXPECT_EQ(again.status, Status::Ok);
+  EXPECT_EQ(again.report.genus, 1);
+  given->triangles.pop_back();
+  EXPECT_EQ(reconstruct(points, options).status, Status::InvalidGuidingSurface);
+  given->triangles.clear();
+  EXPECT_EQ(reconstruct(points, options).status, Status::InvalidGuidingSurface);
+}
+
+TEST(Reconstruct, PaperPresetRunsThePapersPipeline) {
+  const auto points = test::read_float_ply(TEST_DATA "/spot_10k.ply");
+  const Result result = reconstruct(points, Options::paper());
+  expect_promise(result, points);
+  EXPECT_EQ(result.status, Status::Ok);
+  EXPECT_EQ(result.report.rounds, 1);
+  EXPECT_EQ(result.report.inserted, 0);
+}
+
+TEST(Reconstruct, ProgressRisesAndCancelStops) {
+  const auto points = test::torus(3000, 12);
+  for (int stop_at = 0; stop_at < 12; ++stop_at) {
+    std::atomic<bool> cancel{false};
+    int calls = 0;
+    double last = 0;
+    Execution execution;
+    execution.cancel = &cancel;
+    execution.progress = [&](double share, const char* room) {
+      EXPECT_GE(share, last);
+      EXPECT_LE(share, 1);
+      EXPECT_NE(room, nullptr);
+      last = share;
+      if (++calls > stop_at) cancel = true;
+    };
+    const Result result = reconstruct(points, {}, execution);
+    if (last < 1) { EXPECT_EQ(result.status, Status::Cancelled); }
+    expect_promise(result, points);
+  }
+}
+
+TEST(Reconstruct, StepsAreRecordedAndShown) {
+  const auto points = test::sphere(2000, 13);
+  Options options;
+  options.initial_surface = InitialSurface::Sphere;
+  int shown = 0;
+  Execution execution;
+  execution.on_step = [&](int step, const Mesh& film) {
+    if (step > 0) ++shown;
+    EXPECT_FALSE(film.triangles.empty());
+    for (const Triangle& t : film.triangles)
+      for (int v : t) EXPECT_LT(v, static_cast<int>(film.positions.size()));
+  };
+  const Result result = reconstruct(points, options, execution);
+  EXPECT_EQ(static_cast<std::size_t>(shown), result.report.steps.size());
+  EXPECT_GT(shown, 1);
+  EXPECT_GT(result.report.steps.back().attracted, 1990);
+}
+
+// A virtual site that had left was still the site of a film vertex, and the points' diagram has no such site.
+TEST(Reconstruct, Regression_VirtualSiteThatLeftIsNoSiteOfTheFilm) {
+  for (const auto& [name, points] : clouds()) {
+    SCOPED_TRACE(name);
+    Options options;
+    options.initial_surface = InitialSurface::Sphere;
+    options.virtual_sites = 200;
+    options.max_steps = 12;
+    expect_promise(reconstruct(points, options), points);
+  }
+}
+
+}  // namespace
+}  // namespace filmsticking

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "site_set.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "support/clouds.h"
+
+namespace filmsticking {
+namespace {
+
+TEST(SiteSet, DropsNonFiniteAndRepeatedPoints) {
+  const SiteSet set =
+      make_site_set({{0, 0, 0}, {NAN, 0, 0}, {1, 2, 3}, {0, 0, INFINITY}, {1, 2, 3}, {-0.0, 0, 0}, {4, 0, 0}});
+  EXPECT_EQ(set.non_finite, 2);
+  EXPECT_EQ(set.duplicates, 2);
+  std::set<std::int32_t> ids(set.input.begin(), set.input.end());
+  EXPECT_EQ(ids, (std::set<std::int32_t>{0, 2, 6}));  // of equal points the first
+}
+
+TEST(SiteSet, FitsTheUnitBoxAndGoesBack) {
+  const auto points = test::box(500, 1, {3e6, 2e6, 1e6});
+  const SiteSet set = make_site_set(points);
+  for (std::size_t s = 0; s < set.size(); ++s) {
+    EXPECT_LE(set.positions[s].cwiseAbs().maxCoeff(), 0.5 + 1e-12);
+    EXPECT_LE((set.perturbed[s] - set.positions[s]).cwiseAbs().maxCoeff(), kPerturbation);
+    const Point back = set.to_input(set.positions[s]);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(back[k], points[set.input[s]][k], 1e-8 * 3e6);
+  }
+}
+
+TEST(SiteSet, DoesNotDependOnTheOrder) {
+  auto points = test::sphere(300, 2);
+  const SiteSet a = make_site_set(points);
+  std::reverse(points.begin(), points.end());
+  const SiteSet b = make_site_set(points);
+  EXPECT_EQ(a.positions, b.positions);
+  EXPECT_EQ(a.perturbed, b.perturbed);
+}
+
+TEST(SiteSet, SurvivesExtremeCoordinates) {
+  const double huge = std::numeric_limits<double>::max();
+  const SiteSet wide = make_site_set({{-huge, 0, 0}, {huge, 1, 2}, {0, huge, 0}});
+  for (const Vec3& p : wide.positions) EXPECT_TRUE(p.allFinite());
+  EXPECT_EQ(make_site_set({}).size(), 0u);
+  EXPECT_EQ(make_site_set({{5e-324, 0, 0}, {0, 0, 0}}).size(), 2u);
+}
+
+}  // namespace
+}  // namespace filmsticking

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Adjacency, first surfaces, orientation.
+#include <gtest/gtest.h>
+
+#include "guiding_surface.h"
+#include "orientation.h"
+#include "site_set.h"
+#include "support/clouds.h"
+#include "triangle_adjacency.h"
+
+namespace filmsticking {
+namespace {
+
+const std::vector<Corners> kTetrahedron{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+
+TEST(TriangleAdjacency, AcceptsAClosedManifold) { EXPECT_TRUE(check_manifold(kTetrahedron, 4).ok()); }
+
+TEST(TriangleAdjacency, SeesEveryKindOfFault) {
+  EXPECT_FALSE(check_manifold({}, 0).ok());
+  EXPECT_FALSE(check_manifold({{0, 1, 9}}, 3).indices_valid);
+  EXPECT_FALSE(check_manifold({{0, 1, 1}}, 3).indices_valid);
+  auto open = kTetrahedron;
+  open.pop_back();
+  EXPECT_FALSE(check_manifold(open, 4).closed);
+  auto turned = kTetrahedron;
+  std::swap(turned[0][0], turned[0][1]);
+  EXPECT_FALSE(check_manifold(turned, 4).oriented);
+  auto bow_tie = kTetrahedron;  // two tetrahedra that share corner 0 only
+  for (const Corners& t : kTetrahedron) {
+    Corners u;
+    for (int k = 0; k < 3; ++k) u[k] = t[k] == 0 ? 0 : t[k] + 3;
+    bow_tie.push_back(u);
+  }
+  const ManifoldCheck check = check_manifold(bow_tie, 7);
+  EXPECT_TRUE(check.closed && check.oriented);
+  EXPECT_FALSE(check.single_rings);
+  std::vector<Index> component;
+  EXPECT_EQ(connected_components(half_edge_twins(bow_tie, 7), component), 2);
+}
+
+TEST(GuidingSurface, SphereHoldsTheSites) {
+  const SiteSet set = make_site_set(test::grid(4));
+  const GuidingSurface sphere = bounding_sphere(set.positions);
+  EXPECT_TRUE(check_manifold(sphere.triangles, static_cast<Index>(sphere.positions.size())).ok());
+  EXPECT_GT(signed_volume6(sphere), 0);
+  for (const Corners& t : sphere.triangles) {
+    const Vec3 &a = sphere.positions[t[0]], &b = sphere.positions[t[1]], &c = sphere.positions[t[2]];
+    const Vec3 outward = (b - a).cross(c - a);
+    for (const Vec3& p : set.positions) EXPECT_LT(outward.dot(p - a), 0);
+  }
+}
+
+TEST(GuidingSurface, WrapIsClosedAndHoldsTheSites) {
+  const SiteSet set = make_site_set(test::torus(3000, 3));
+  const GuidingSurface wrap = alpha_wrap(set.perturbed, 0.1);
+  EXPECT_TRUE(check_manifold(wrap.triangles, static_cast<Index>(wrap.positions.size())).ok());
+  std::vector<Index> all;
+  for (std::size_t t = 0; t < wrap.triangles.size(); ++t) all.push_back(static_cast<Index>(t));
+  for (std::size_t s = 0; s < set.size(); s += 50) EXPECT_NEAR(solid_angle_winding(wrap, all, set.positions[s]), 1, 1e-6);
+}
+
+TEST(Orientation, TurnsSolidsOutwardAndCavitiesInward) {
+  GuidingSurface nested;
+  for (const double size : {4.0, 1.0, 0.2}) {  // solid, cavity, solid in the cavity
+    const Index first = static_cast<Index>(nested.positions.size());
+    for (const Vec3& p : {Vec3(-1, -1, -1), Vec3(1, 1, -1), Vec3(1, -1, 1), Vec3(-1, 1, 1)})
+      nested.positions.push_back(size * p), nested.site.push_back(kNone);
+    for (const Corners& t : kTetrahedron) nested.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+  for (int flips = 0; flips < 8; ++flips) {
+    GuidingSurface turned = nested;
+    for (std::size_t t = 0; t < turned.triangles.size(); ++t)
+      if (flips >> (t / 4) & 1) std::swap(turned.triangles[t][1], turned.triangles[t][2]);
+    orient_components(turned);
+    for (int part = 0; part < 3; ++part) {
+      GuidingSurface one = turned;
+      one.triangles.assign(turned.triangles.begin() + 4 * part, turned.triangles.begin() + 4 * part + 4);
+      EXPECT_EQ(signed_volume6(one) > 0, part != 1) << flips << ' ' << part;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace filmsticking
