@@ -31,6 +31,10 @@ constexpr double kWrapAlpha = 0.05;
 // An inserted site may be this many longest edges of its face away from it.
 constexpr double kReach = 2;
 
+// Shares of the sites that a first film left off before insertion: up to the first it is taken, from the
+// second on the film from the sphere is tried too.
+constexpr double kLittleTrouble = 0.01, kMuchTrouble = 0.1;
+
 // Is there a film, and are all its vertices sites?
 bool of_sites(const GuidingSurface& film) {
   return !film.triangles.empty() && std::count(film.site.begin(), film.site.end(), kNone) == 0;
@@ -115,7 +119,8 @@ Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conv
     if (best.triangles.empty() || surface.site.size() > best.site.size()) best = std::move(surface);
     if (static_cast<double>(best.site.size()) >= kKeptShare * static_cast<double>(sites_.size())) break;
   }
-  if (best.triangles.empty()) return {};
+  // What keeps fewer than half has lost the shape; inserting the rest would not bring it back.
+  if (2 * best.site.size() < sites_.size()) return {};
   return finish(evolve(std::move(best), sites_.perturbed, kStepsAfterCut, false));
 }
 
@@ -153,18 +158,25 @@ bool Pipeline::settled(const Candidate& candidate) const {
   return candidate.inserted == 0 && candidate.quality.off == 0 && candidate.quality.wide_faces == 0;
 }
 
-// The first film by local evidence alone; where it leaves many sites off, also by carving at a few widths.
+// The first film by local evidence alone; where it leaves many sites off, also by carving at a few widths,
+// and where there is no telling inside from outside (open surfaces), by the film from the sphere.
 Pipeline::Candidate Pipeline::carve() {
+  const auto trouble = [&](const Candidate& c) {
+    return c.film.triangles.empty() ? 1.0
+                                    : static_cast<double>(c.inserted + c.quality.off) / static_cast<double>(sites_.size());
+  };
   monitor_.enter("signed field", 0.25);
   const std::vector<double> belief = signed_field(mesh_, evidence_, carve_belief(2));
   Candidate best = cut(belief, kConviction);
-  const double trouble = static_cast<double>(best.inserted + best.quality.off);
-  if (!best.film.triangles.empty() && trouble <= 0.01 * static_cast<double>(sites_.size())) return best;
+  if (trouble(best) <= kLittleTrouble) return best;
   for (const double width : {2.0, 3.0}) {
     monitor_.enter("carving", monitor_.share());
     Candidate other = cut(carve_belief(width), kConviction);
     if (other.score() < best.score()) best = std::move(other);
   }
+  if (trouble(best) <= kMuchTrouble) return best;
+  Candidate film = finish(film_from_outside());
+  if (film.score() < best.score()) best = std::move(film);
   return best;
 }
 
