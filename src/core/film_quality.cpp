@@ -12,6 +12,7 @@ namespace filmsticking {
 FilmQuality film_quality(const GuidingSurface& film, const SiteGeometry& geometry) {
   FilmQuality quality;
   double area = 0, sum = 0;
+  std::vector<Vec3> vertex_normal(geometry.spacing.size(), Vec3::Zero());
   for (const Corners& t : film.triangles) {
     const Vec3 &a = film.positions[t[0]], &b = film.positions[t[1]], &c = film.positions[t[2]];
     const Vec3 normal = (b - a).cross(c - a);
@@ -19,6 +20,7 @@ FilmQuality film_quality(const GuidingSurface& film, const SiteGeometry& geometr
     if (!(twice > 0)) continue;
     double disagree = 0, spacing = 0;
     for (Index v : t) {
+      vertex_normal[film.site[v]] += normal;
       disagree += 1 - std::abs(normal.dot(geometry.normal[film.site[v]])) / twice;
       spacing = std::max(spacing, geometry.spacing[film.site[v]]);
     }
@@ -27,6 +29,14 @@ FilmQuality film_quality(const GuidingSurface& film, const SiteGeometry& geometr
     if ((a - b).norm() * (b - c).norm() * (c - a).norm() / (2 * twice) > 3 * spacing) ++quality.wide_faces;
   }
   if (area > 0) quality.disagreement = sum / area;
+  std::int64_t pairs = 0, opposed = 0;
+  for (Index s : film.site)
+    for (Index other : geometry.near[s]) {
+      if (other == kNone || vertex_normal[other].isZero()) continue;
+      ++pairs;
+      opposed += vertex_normal[s].dot(vertex_normal[other]) < 0;
+    }
+  if (pairs > 0) quality.conflict = static_cast<double>(opposed) / static_cast<double>(pairs);
   quality.off = static_cast<std::int64_t>(geometry.spacing.size()) - attracted_points(film, geometry.spacing.size());
   return quality;
 }

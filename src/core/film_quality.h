@@ -13,6 +13,7 @@ namespace filmsticking {
 /// reconstruction can judge itself.
 struct FilmQuality {
   double disagreement = 1;      ///< mean over the area of 1 - |face normal . local normal|; 0 best
+  double conflict = 1;          ///< share of pairs of near sites on the film whose normals oppose each other; 0 best
   std::int64_t wide_faces = 0;  ///< faces with an empty circle of more than three spacings: plates and bridges
   std::int64_t off = 0;         ///< sites off the film
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <queue>
 #include <utility>
 
 #include "triangle_adjacency.h"
@@ -24,6 +25,9 @@ double circumradius2(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double area2 = (b - a).cross(c - a).squaredNorm();
   return area2 > 0 ? la * lb * lc / (4 * area2) : std::numeric_limits<double>::max();
 }
+
+// What a ring loses, in units of its roughness, when all its neighbours have chosen another layer.
+constexpr double kCoherence = 2;
 
 class Repair {
  public:
@@ -83,9 +87,60 @@ class Repair {
     }
   }
 
+  // The rings of all sites with several, the clearest choice first. Where two layers of the film lie on the same
+  // sites their rings are equally smooth, and choices made one by one would patch the layers together; so a ring
+  // is the worse for every neighbour that has chosen the other layer.
   void choose_rings() {
-    for (std::size_t s = 0; s < orbits_of_site_.size(); ++s)
-      if (orbits_of_site_[s].size() > 1) choose_ring(static_cast<Index>(s));
+    std::vector<double> cost(out_.size(), 0), against(out_.size(), 0);
+    std::vector<char> undecided(orbits_of_site_.size(), 0);
+    // The least cost and its lead over the next.
+    const auto best_of = [&](Index site) {
+      Index best = kNone;
+      double least = std::numeric_limits<double>::infinity(), second = least;
+      for (Index o : orbits_of_site_[site]) {
+        const double c = cost[o] + against[o];
+        if (c < least) second = least, least = c, best = o;
+        else second = std::min(second, c);
+      }
+      return std::pair(second - least, best);
+    };
+    std::priority_queue<std::pair<double, Index>> queue;  // lead, -site: ties by the lower site
+    for (std::size_t s = 0; s < orbits_of_site_.size(); ++s) {
+      if (orbits_of_site_[s].size() < 2) continue;
+      for (Index o : orbits_of_site_[s]) cost[o] = std::min(ring_cost(o), 1e3);
+      undecided[s] = 1;
+      queue.emplace(best_of(static_cast<Index>(s)).first, -static_cast<Index>(s));
+    }
+    while (!queue.empty()) {
+      const auto [lead, negative] = queue.top();
+      const Index site = -negative;
+      queue.pop();
+      if (!undecided[site]) continue;
+      const auto [now, best] = best_of(site);
+      if (now != lead) {  // a neighbour chose in the meantime; every choice causes at most its neighbours' turns
+        queue.emplace(now, negative);
+        continue;
+      }
+      undecided[site] = 0;
+      for (Index o : orbits_of_site_[site]) {
+        surplus_[o] = o != best;
+        if (o == best) continue;
+        // The neighbours of what goes lose a part of their ring.
+        Index h = out_[o];
+        do {
+          const Index p = target(h);
+          against[p] += kCoherence / static_cast<double>(degree(p));
+          h = rotate(h);
+        } while (h != out_[o]);
+      }
+    }
+  }
+
+  Index degree(Index o) const {
+    Index n = 0, h = out_[o];
+    do ++n, h = rotate(h);
+    while (h != out_[o]);
+    return n;
   }
 
   double ring_cost(Index o) {

@@ -48,7 +48,9 @@ Pipeline::Pipeline(const SiteSet& sites, const Options& options, Monitor& monito
 double Pipeline::Candidate::score() const {
   if (film.triangles.empty()) return std::numeric_limits<double>::infinity();
   const double sites = static_cast<double>(film.site.size()) + static_cast<double>(quality.off);
-  return quality.disagreement + static_cast<double>(quality.off) / sites;
+  // An inserted site is on the film, but where the film did not go by itself.
+  return quality.disagreement + 0.1 * quality.conflict +
+         (static_cast<double>(quality.off) + 0.2 * static_cast<double>(inserted)) / sites;
 }
 
 void Pipeline::prepare() {
