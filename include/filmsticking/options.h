@@ -34,8 +34,9 @@ struct Options {
   FieldMethod field = FieldMethod::Sculpt;
   RingChoice ring = RingChoice::Smooth;
 
-  /// Virtual sites: a number (0: none), or kAdaptiveVirtualSites for one per local scale. They are used
-  /// with the sphere and the wrap; a carved or given surface needs none unless a number is asked for.
+  /// Virtual sites (paper, section 4.3): how many (0: none), or kAdaptiveVirtualSites for one per local scale.
+  /// They join when the film from a sphere, a wrap or a given surface stalls, where it has not reached; a
+  /// carved film needs none.
   static constexpr int kAdaptiveVirtualSites = -1;
   int virtual_sites = kAdaptiveVirtualSites;
 
@@ -45,10 +46,10 @@ struct Options {
   /// Put the sites that the film does not reach into its nearest face where that is clean.
   bool insert_leftover = true;
 
-  /// Film steps allowed before the first field; at least 1.
+  /// Film steps allowed in one evolution of the film before the first field; at least 1.
   int max_steps = 60;
 
-  /// Rounds of field and film; they end sooner when nothing changes. At least 1 unless `field` is None.
+  /// Rounds of field and film, 0 or more; they end sooner when nothing gets better.
   int max_rounds = 6;
 
   /// Threads; 0: all that the machine has. The result is the same for every number.
@@ -57,7 +58,9 @@ struct Options {
   /// A closed oriented 2-manifold, for InitialSurface::Given.
   std::shared_ptr<const Mesh> guiding_surface;
 
-  /// The paper's pipeline: sphere, 1000 virtual sites, weights, one Poisson round, nothing inserted.
+  /// The paper's pipeline: sphere, 1000 virtual sites, weights, one Poisson round, nothing inserted. One
+  /// thing differs: the virtual sites join at the first stall, since from the start they pull the film
+  /// through the shape.
   static Options paper();
 };
 
