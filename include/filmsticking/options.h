@@ -34,9 +34,9 @@ struct Options {
   FieldMethod field = FieldMethod::Sculpt;
   RingChoice ring = RingChoice::Smooth;
 
-  /// Virtual sites (paper, section 4.3): how many (0: none), or kAdaptiveVirtualSites for one per local scale.
-  /// They join when the film from a sphere, a wrap or a given surface stalls, where it has not reached; a
-  /// carved film needs none.
+  /// Virtual sites (paper, section 4.3): how many (0: none), or kAdaptiveVirtualSites for one per local
+  /// scale. They join when the film from a sphere, a wrap or a given surface stalls, where it has not
+  /// reached; a carved film needs none.
   static constexpr int kAdaptiveVirtualSites = -1;
   int virtual_sites = kAdaptiveVirtualSites;
 

@@ -9,12 +9,13 @@ namespace filmsticking {
 
 /// What one film step did.
 struct StepRecord {
-  int round = 0;                    ///< 0 before the first field, then the number of fields so far
-  std::int64_t attracted = 0;       ///< points on the film after the step
-  std::int64_t virtual_left = 0;    ///< virtual sites not yet attracted
-  std::int64_t weighted = 0;        ///< points that were given a weight in this step
-  std::int64_t regions_repaired = 0;///< surplus regions removed, double edges resolved, thin regions dropped
-  double seconds = 0;               ///< wall time
+  int round = 0;                  ///< 0 before the first field, then the number of fields so far
+  std::int64_t attracted = 0;     ///< points on the film after the step
+  std::int64_t virtual_left = 0;  ///< virtual sites not yet attracted
+  std::int64_t weighted = 0;      ///< points that were given a weight in this step
+  std::int64_t regions_repaired =
+      0;               ///< surplus regions removed, double edges resolved, thin regions dropped
+  double seconds = 0;  ///< wall time
 };
 
 /// Wall time spent in one room of the pipeline.
@@ -25,21 +26,21 @@ struct RoomSeconds {
 
 /// What a reconstruction did; filled as far as it got, whatever the status.
 struct Report {
-  std::int64_t points = 0;          ///< points handed in
-  std::int64_t sites = 0;           ///< distinct finite points
-  std::int64_t non_finite = 0;      ///< points left out because a coordinate is NaN or infinite
-  std::int64_t duplicates = 0;      ///< points left out because an equal one came before
-  std::int64_t interpolated = 0;    ///< sites that are vertices of the result
-  std::int64_t inserted = 0;        ///< of these, put in by splitting faces after the last film step
+  std::int64_t points = 0;        ///< points handed in
+  std::int64_t sites = 0;         ///< distinct finite points
+  std::int64_t non_finite = 0;    ///< points left out because a coordinate is NaN or infinite
+  std::int64_t duplicates = 0;    ///< points left out because an equal one came before
+  std::int64_t interpolated = 0;  ///< sites that are vertices of the result
+  std::int64_t inserted = 0;      ///< of these, put in by splitting faces after the last film step
   std::int64_t triangles = 0;
   std::int64_t components = 0;
-  std::int64_t genus = 0;           ///< sum over the components
-  int rounds = 0;                   ///< rounds of field and film
-  bool closed = false;              ///< checked on the result: every edge has two faces
-  bool manifold = false;            ///< checked on the result: closed, oriented, every vertex has one ring
+  std::int64_t genus = 0;  ///< sum over the components
+  int rounds = 0;          ///< rounds of field and film
+  bool closed = false;     ///< checked on the result: every edge has two faces
+  bool manifold = false;   ///< checked on the result: closed, oriented, every vertex has one ring
   std::vector<StepRecord> steps;
-  std::vector<RoomSeconds> rooms;   ///< in the order in which they were first entered
-  double seconds = 0;               ///< wall time of the whole reconstruction
+  std::vector<RoomSeconds> rooms;  ///< in the order in which they were first entered
+  double seconds = 0;              ///< wall time of the whole reconstruction
 };
 
 }  // namespace filmsticking

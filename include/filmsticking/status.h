@@ -5,15 +5,15 @@ namespace filmsticking {
 
 /// How a reconstruction ended. Everything but `Ok` comes with an empty mesh.
 enum class Status {
-  Ok,                      ///< a closed, oriented 2-manifold was made
-  TooFewPoints,            ///< fewer than four distinct finite points
-  Coplanar,                ///< all points lie on one point, line or plane
-  InvalidOptions,          ///< an option is out of its range
-  InvalidGuidingSurface,   ///< the given guiding surface is not a closed oriented 2-manifold
-  NoSurface,               ///< no closed surface through the points was found
-  Cancelled,               ///< the caller asked to stop
-  OutOfMemory,             ///< an allocation failed
-  InternalError,           ///< a broken promise inside; please report it
+  Ok,                     ///< a closed, oriented 2-manifold was made
+  TooFewPoints,           ///< fewer than four distinct finite points
+  Coplanar,               ///< all points lie on one point, line or plane
+  InvalidOptions,         ///< an option is out of its range
+  InvalidGuidingSurface,  ///< the given guiding surface is not a closed oriented 2-manifold
+  NoSurface,              ///< no closed surface through the points was found
+  Cancelled,              ///< the caller asked to stop
+  OutOfMemory,            ///< an allocation failed
+  InternalError,          ///< a broken promise inside; please report it
 };
 
 /// One lower-case sentence without a full stop; never null.

@@ -25,7 +25,8 @@ std::size_t attraction_weights(const GuidingSurface& film, const std::vector<Vec
     vertex_tree.nearest(q, &vertex2);
     weights[off[k]] = d2 + 0.1 * std::max(0.0, vertex2 - d2);
   });
-  return static_cast<std::size_t>(std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; }));
+  return static_cast<std::size_t>(
+      std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; }));
 }
 
 }  // namespace filmsticking

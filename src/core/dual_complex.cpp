@@ -21,9 +21,12 @@ std::int64_t side_of(Port p) { return -1 - p; }
 // Fills the faces of one chunk.
 class FaceFiller {
  public:
-  FaceFiller(const GuidingSurface& surface, const RestrictedPowerDiagram& restricted, const PowerDiagram& diagram,
-             std::size_t chunk, std::vector<Port>& inside)
-      : surface_(surface), restricted_(restricted), diagram_(diagram), chunk_(static_cast<Port>(chunk) << 32),
+  FaceFiller(const GuidingSurface& surface, const RestrictedPowerDiagram& restricted,
+             const PowerDiagram& diagram, std::size_t chunk, std::vector<Port>& inside)
+      : surface_(surface),
+        restricted_(restricted),
+        diagram_(diagram),
+        chunk_(static_cast<Port>(chunk) << 32),
         inside_(inside) {}
 
   std::vector<Index> site;   // per half-edge of this chunk
@@ -136,8 +139,10 @@ class FaceFiller {
   }
   Port port_of(Index h) const { return chunk_ | h; }
   void set(Port p, Port other) {
-    if (is_side(p)) inside_[side_of(p)] = other;
-    else across[p & 0xffffffff] = other;
+    if (is_side(p))
+      inside_[side_of(p)] = other;
+    else
+      across[p & 0xffffffff] = other;
   }
   void connect(Port p, Port q) { set(p, q), set(q, p); }
 
@@ -200,7 +205,8 @@ HalfEdgeComplex dual_complex(const GuidingSurface& surface, const RestrictedPowe
                              const PowerDiagram& diagram) {
   constexpr std::size_t kChunk = 1024;
   const std::size_t faces = surface.triangles.size(), chunks = (faces + kChunk - 1) / kChunk;
-  std::vector<Port> inside(2 * restricted.cell.size());  // what lies inside the face at each side of a crossing
+  std::vector<Port> inside(2 *
+                           restricted.cell.size());  // what lies inside the face at each side of a crossing
   std::vector<FaceFiller> fillers;
   fillers.reserve(chunks);
   for (std::size_t c = 0; c < chunks; ++c) fillers.emplace_back(surface, restricted, diagram, c, inside);

@@ -30,14 +30,14 @@ struct FilmOptions {
   RingChoice ring = RingChoice::Smooth;
   bool weights = true;
   int max_steps = 60;
-  int round = 0;                                          ///< copied to the records
+  int round = 0;                                                             ///< copied to the records
   std::function<bool(const StepRecord&, const GuidingSurface&)> after_step;  ///< false: stop
 };
 
 /// Evolves a film until every site is on it and its triangles stay the same, or nothing changes any more, or
 /// the steps are used up. `sites` are the points followed by the virtual sites; `points` is the number of the
-/// former, which `voronoi` (their Delaunay triangulation, without virtual sites) holds too. Virtual sites leave
-/// when they reach the film.
+/// former, which `voronoi` (their Delaunay triangulation, without virtual sites) holds too. Virtual sites
+/// leave when they reach the film.
 GuidingSurface evolve_film(GuidingSurface film, const std::vector<Vec3>& sites, std::size_t points,
                            const PowerDiagram& voronoi, const FilmOptions& options);
 

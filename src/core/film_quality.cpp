@@ -37,7 +37,8 @@ FilmQuality film_quality(const GuidingSurface& film, const SiteGeometry& geometr
       opposed += vertex_normal[s].dot(vertex_normal[other]) < 0;
     }
   if (pairs > 0) quality.conflict = static_cast<double>(opposed) / static_cast<double>(pairs);
-  quality.off = static_cast<std::int64_t>(geometry.spacing.size()) - attracted_points(film, geometry.spacing.size());
+  quality.off =
+      static_cast<std::int64_t>(geometry.spacing.size()) - attracted_points(film, geometry.spacing.size());
   return quality;
 }
 

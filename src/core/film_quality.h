@@ -12,10 +12,11 @@ namespace filmsticking {
 /// How well a film of sites agrees with the sites' own neighbourhoods. Knows no truth, so that a
 /// reconstruction can judge itself.
 struct FilmQuality {
-  double disagreement = 1;      ///< mean over the area of 1 - |face normal . local normal|; 0 best
-  double conflict = 1;          ///< share of pairs of near sites on the film whose normals oppose each other; 0 best
-  std::int64_t wide_faces = 0;  ///< faces with an empty circle of more than three spacings: plates and bridges
-  std::int64_t off = 0;         ///< sites off the film
+  double disagreement = 1;  ///< mean over the area of 1 - |face normal . local normal|; 0 best
+  double conflict = 1;  ///< share of pairs of near sites on the film whose normals oppose each other; 0 best
+  std::int64_t wide_faces =
+      0;                 ///< faces with an empty circle of more than three spacings: plates and bridges
+  std::int64_t off = 0;  ///< sites off the film
 };
 
 FilmQuality film_quality(const GuidingSurface& film, const SiteGeometry& geometry);

@@ -11,7 +11,7 @@ namespace filmsticking {
 /// initial surface, and virtual sites that have left.
 struct GuidingSurface {
   std::vector<Vec3> positions;
-  std::vector<Index> site;          ///< per vertex: the site that stands there, or kNone
+  std::vector<Index> site;  ///< per vertex: the site that stands there, or kNone
   std::vector<Corners> triangles;
 
   Vec3 corner(Index triangle, int k) const { return positions[triangles[triangle][k]]; }

@@ -23,8 +23,7 @@ class Inserter {
     const Corners t = film_.triangles[face];
     const Vec3 &a = at(t[0]), &b = at(t[1]), &c = at(t[2]);
     const Vec3 normal = (b - a).cross(c - a);
-    const double longest2 =
-        std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    const double longest2 = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
     const double nearest2 = std::min({(q - a).squaredNorm(), (q - b).squaredNorm(), (q - c).squaredNorm()});
     if (nearest2 > reach * reach * longest2) return false;
     int backs = 0;
@@ -77,8 +76,10 @@ class Inserter {
     // around: the faces across bc, ca (of abc) and ad, db (of bad).
     const Vec3 &bc = around[0], &ca = around[1], &ad = around[2], &db = around[3];
     double sum = 1 - n1.dot(n2);
-    if (!flipped) sum += 4 - n1.dot(bc) - n1.dot(ca) - n2.dot(ad) - n2.dot(db);
-    else sum += 4 - n1.dot(ca) - n1.dot(ad) - n2.dot(bc) - n2.dot(db);
+    if (!flipped)
+      sum += 4 - n1.dot(bc) - n1.dot(ca) - n2.dot(ad) - n2.dot(db);
+    else
+      sum += 4 - n1.dot(ca) - n1.dot(ad) - n2.dot(bc) - n2.dot(db);
     return sum;
   }
 
@@ -95,8 +96,9 @@ class Inserter {
       const Index ia = from(h), ib = from(g), ic = from(prev_in_face(h)), id = from(prev_in_face(g));
       if (ic == id) continue;
       const Vec3 &a = at(ia), &b = at(ib), &c = at(ic), &d = at(id);
-      const std::array<Vec3, 4> around{face_normal(twin_[next_in_face(h)] / 3), face_normal(twin_[prev_in_face(h)] / 3),
-                                       face_normal(twin_[next_in_face(g)] / 3), face_normal(twin_[prev_in_face(g)] / 3)};
+      const std::array<Vec3, 4> around{
+          face_normal(twin_[next_in_face(h)] / 3), face_normal(twin_[prev_in_face(h)] / 3),
+          face_normal(twin_[next_in_face(g)] / 3), face_normal(twin_[prev_in_face(g)] / 3)};
       const double before = price(angle(c, a, b) + angle(d, a, b),
                                   bend(unit_normal(a, b, c), unit_normal(b, a, d), around, false));
       const double after = price(angle(a, c, d) + angle(b, c, d),
@@ -104,7 +106,8 @@ class Inserter {
       if (!(after < before - 1e-9) || joined(prev_in_face(h), id)) continue;
       flip(h);
       ++flips;
-      for (Index e : {next_in_face(h), prev_in_face(h), next_in_face(g), prev_in_face(g)}) queue_.push_back(e);
+      for (Index e : {next_in_face(h), prev_in_face(h), next_in_face(g), prev_in_face(g)})
+        queue_.push_back(e);
     }
     queue_.clear();
   }

@@ -33,7 +33,12 @@ class Repair {
  public:
   Repair(const HalfEdgeComplex& complex, const std::vector<Vec3>& positions, RingChoice choice,
          RepairCounts& counts)
-      : site_(complex.site), twin_(complex.twin), point_(complex.point), positions_(positions), choice_(choice), counts_(counts) {}
+      : site_(complex.site),
+        twin_(complex.twin),
+        point_(complex.point),
+        positions_(positions),
+        choice_(choice),
+        counts_(counts) {}
 
   std::vector<Corners> run() {
     alive_.assign(site_.size() / 3, 1);
@@ -87,9 +92,9 @@ class Repair {
     }
   }
 
-  // The rings of all sites with several, the clearest choice first. Where two layers of the film lie on the same
-  // sites their rings are equally smooth, and choices made one by one would patch the layers together; so a ring
-  // is the worse for every neighbour that has chosen the other layer.
+  // The rings of all sites with several, the clearest choice first. Where two layers of the film lie on the
+  // same sites their rings are equally smooth, and choices made one by one would patch the layers together;
+  // so a ring is the worse for every neighbour that has chosen the other layer.
   void choose_rings() {
     std::vector<double> cost(out_.size(), 0), against(out_.size(), 0);
     std::vector<char> undecided(orbits_of_site_.size(), 0);
@@ -99,8 +104,10 @@ class Repair {
       double least = std::numeric_limits<double>::infinity(), second = least;
       for (Index o : orbits_of_site_[site]) {
         const double c = cost[o] + against[o];
-        if (c < least) second = least, least = c, best = o;
-        else second = std::min(second, c);
+        if (c < least)
+          second = least, least = c, best = o;
+        else
+          second = std::min(second, c);
       }
       return std::pair(second - least, best);
     };
@@ -117,7 +124,8 @@ class Repair {
       queue.pop();
       if (!undecided[site]) continue;
       const auto [now, best] = best_of(site);
-      if (now != lead) {  // a neighbour chose in the meantime; every choice causes at most its neighbours' turns
+      if (now !=
+          lead) {  // a neighbour chose in the meantime; every choice causes at most its neighbours' turns
         queue.emplace(now, negative);
         continue;
       }
@@ -210,8 +218,7 @@ class Repair {
       const Index c = orbit_[prev_in_face(e)], d = orbit_[prev_in_face(twin_[e])];
       // A surplus neighbour goes soon, and its star with it.
       if (c == d || joined(c, d)) continue;
-      const double cost =
-          std::max(circumradius2(at(c), at(d), at(a)), circumradius2(at(c), at(d), at(b)));
+      const double cost = std::max(circumradius2(at(c), at(d), at(a)), circumradius2(at(c), at(d), at(b)));
       if (flip == kNone || cost < least) least = cost, flip = e;
     }
     if (flip != kNone) {
@@ -241,7 +248,10 @@ class Repair {
     for (std::size_t k = 0; k < 4; ++k) {
       Index other = outside[k];
       for (const auto& [from, to] : moved)
-        if (other == from) { other = to; break; }
+        if (other == from) {
+          other = to;
+          break;
+        }
       link(moved[k].second, other);
     }
     out_[a] = e2, out_[b] = f2, out_[c] = f, out_[d] = e;
@@ -286,7 +296,8 @@ class Repair {
     std::vector<std::vector<RimEdge>> parts;
     std::vector<RimEdge> walk;
     for (const RimEdge& r : rim) {
-      const auto twin = std::find_if(walk.begin(), walk.end(), [&](const RimEdge& w) { return w.orbit == r.orbit; });
+      const auto twin =
+          std::find_if(walk.begin(), walk.end(), [&](const RimEdge& w) { return w.orbit == r.orbit; });
       if (twin != walk.end()) {
         parts.emplace_back(twin, walk.end());
         walk.erase(twin, walk.end());
@@ -295,7 +306,8 @@ class Repair {
     }
     parts.push_back(std::move(walk));
     for (const auto& part : parts) {
-      if (part.size() == 1) {  // a rim edge from an orbit to itself cannot be: edges join distinct sites' orbits
+      if (part.size() ==
+          1) {  // a rim edge from an orbit to itself cannot be: edges join distinct sites' orbits
         continue;
       }
       if (part.size() == 2) {
@@ -351,8 +363,8 @@ class Repair {
     for (Index k = 0; k < 3; ++k) attach(h + k, ports[k]);
   }
 
-  // Is there an edge in what is left of the surface outside the hole, or in the filling so far? The ring of an
-  // orbit on the rim is open now, so look through the triangles that were around it.
+  // Is there an edge in what is left of the surface outside the hole, or in the filling so far? The ring of
+  // an orbit on the rim is open now, so look through the triangles that were around it.
   bool has_edge(Index a, Index c) const {
     for (Index f : fresh_)
       for (Index k = 0; k < 3; ++k) {
@@ -392,8 +404,10 @@ class Repair {
   }
 
   void attach(Index h, Index port) {
-    if (port < 0) inside_[-1 - port] = h;
-    else link(h, port);
+    if (port < 0)
+      inside_[-1 - port] = h;
+    else
+      link(h, port);
   }
 
   // Joins what lies inside and outside of every rim edge, through rim edges that are glued to each other.
@@ -446,14 +460,14 @@ class Repair {
     }
   }
 
-  std::vector<Index> site_, twin_, orbit_;      // per half-edge
-  std::vector<Vec3> point_;                     // per triangle: where its three cells meet
-  std::vector<char> alive_;                     // per triangle
-  std::vector<Index> out_, orbit_site_;         // per orbit: a half-edge from it, or kNone: gone; its site
-  std::vector<char> queued_, surplus_;          // per orbit
+  std::vector<Index> site_, twin_, orbit_;  // per half-edge
+  std::vector<Vec3> point_;                 // per triangle: where its three cells meet
+  std::vector<char> alive_;                 // per triangle
+  std::vector<Index> out_, orbit_site_;     // per orbit: a half-edge from it, or kNone: gone; its site
+  std::vector<char> queued_, surplus_;      // per orbit
   std::vector<std::vector<Index>> orbits_of_site_;
   std::vector<Index> queue_;
-  std::vector<std::int64_t> stamp_;             // per half-edge
+  std::vector<std::int64_t> stamp_;  // per half-edge
   std::int64_t time_ = 0;
   const std::vector<Vec3>& positions_;
   RingChoice choice_;

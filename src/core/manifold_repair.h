@@ -14,7 +14,7 @@ struct RepairCounts {
   std::int64_t surplus_regions = 0;  ///< orbits removed because their site kept another one
   std::int64_t thin_regions = 0;     ///< orbits removed because they had fewer than three neighbours
   std::int64_t flips = 0;            ///< double edges resolved by a flip
-  std::int64_t cuts = 0;             ///< double edges resolved by cutting the surface open along both and closing it
+  std::int64_t cuts = 0;  ///< double edges resolved by cutting the surface open along both and closing it
   std::int64_t total() const { return surplus_regions + thin_regions + flips + cuts; }
 };
 
@@ -22,7 +22,8 @@ struct RepairCounts {
 /// (paper, section 4.4). Result: triangles of sites.
 ///
 /// Always ends, and every state in between is a closed oriented surface. Operations and what they lower:
-///  - remove an orbit and fill its hole (surplus, or fewer than three neighbours): two triangles or more fewer;
+///  - remove an orbit and fill its hole (surplus, or fewer than three neighbours): two triangles or more
+///  fewer;
 ///  - flip one of two edges that join the same orbits: one double edge fewer, no triangle more;
 ///  - where no flip helps, cut along both edges and close the two rims: the Euler characteristic rises by
 ///    two, no triangle more, and it is at most the number of triangles.

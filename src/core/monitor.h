@@ -23,7 +23,8 @@ class Monitor {
   /// Leaves the room at work and enters another; `share` of the whole work is done.
   void enter(const char* room, double share) {
     leave();
-    auto it = std::find_if(report_.rooms.begin(), report_.rooms.end(), [&](const RoomSeconds& r) { return r.room == room; });
+    auto it = std::find_if(report_.rooms.begin(), report_.rooms.end(),
+                           [&](const RoomSeconds& r) { return r.room == room; });
     if (it == report_.rooms.end()) it = report_.rooms.insert(report_.rooms.end(), {room, 0});
     index_ = it - report_.rooms.begin();
     start_ = Clock::now();
@@ -44,7 +45,8 @@ class Monitor {
   using Clock = std::chrono::steady_clock;
   void leave() {
     if (index_ < 0) return;
-    report_.rooms[static_cast<std::size_t>(index_)].seconds += std::chrono::duration<double>(Clock::now() - start_).count();
+    report_.rooms[static_cast<std::size_t>(index_)].seconds +=
+        std::chrono::duration<double>(Clock::now() - start_).count();
     index_ = -1;
   }
 

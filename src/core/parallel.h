@@ -16,17 +16,20 @@ namespace filmsticking {
 template <class Body>
 void parallel_chunks(std::size_t n, std::size_t chunk_size, const Body& body) {
   const std::size_t chunks = (n + chunk_size - 1) / chunk_size;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks, 1), [&](const tbb::blocked_range<std::size_t>& r) {
-    for (std::size_t c = r.begin(); c != r.end(); ++c) body(c, c * chunk_size, std::min(n, (c + 1) * chunk_size));
-  });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks, 1),
+                    [&](const tbb::blocked_range<std::size_t>& r) {
+                      for (std::size_t c = r.begin(); c != r.end(); ++c)
+                        body(c, c * chunk_size, std::min(n, (c + 1) * chunk_size));
+                    });
 }
 
 /// Calls body(i) for every i of [0, n); the calls must not touch each other's results.
 template <class Body>
 void parallel_each(std::size_t n, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 256), [&](const tbb::blocked_range<std::size_t>& r) {
-    for (std::size_t i = r.begin(); i != r.end(); ++i) body(i);
-  });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 256),
+                    [&](const tbb::blocked_range<std::size_t>& r) {
+                      for (std::size_t i = r.begin(); i != r.end(); ++i) body(i);
+                    });
 }
 
 /// The sum of term(i) over [0, n), added up in the same order for any number of threads.

@@ -71,7 +71,8 @@ void Pipeline::show(const GuidingSurface& film) const {
   monitor_.execution().on_step(static_cast<int>(report_.steps.size()), mesh);
 }
 
-GuidingSurface Pipeline::evolve(GuidingSurface film, const std::vector<Vec3>& sites, int max_steps, bool weights) {
+GuidingSurface Pipeline::evolve(GuidingSurface film, const std::vector<Vec3>& sites, int max_steps,
+                                bool weights) {
   monitor_.enter("film", monitor_.share());
   if (report_.steps.empty()) show(film);
   FilmOptions options;
@@ -164,8 +165,9 @@ bool Pipeline::settled(const Candidate& candidate) const {
 // and where there is no telling inside from outside (open surfaces), by the film from the sphere.
 Pipeline::Candidate Pipeline::carve() {
   const auto trouble = [&](const Candidate& c) {
-    return c.film.triangles.empty() ? 1.0
-                                    : static_cast<double>(c.inserted + c.quality.off) / static_cast<double>(sites_.size());
+    return c.film.triangles.empty()
+               ? 1.0
+               : static_cast<double>(c.inserted + c.quality.off) / static_cast<double>(sites_.size());
   };
   monitor_.enter("signed field", 0.25);
   const std::vector<double> belief = signed_field(mesh_, evidence_, carve_belief(2));
@@ -186,18 +188,24 @@ Pipeline::Candidate Pipeline::carve() {
 // gaps between the points crawls through them, and a coarser one or the sphere does not.
 std::vector<std::function<GuidingSurface()>> Pipeline::first_surfaces() const {
   const auto sphere = [this] { return bounding_sphere(sites_.perturbed); };
-  const auto wrap = [this](double alpha) { return [this, alpha] { return alpha_wrap(sites_.perturbed, alpha); }; };
+  const auto wrap = [this](double alpha) {
+    return [this, alpha] { return alpha_wrap(sites_.perturbed, alpha); };
+  };
   const auto given = [this] {
     GuidingSurface surface;
     for (const Point& p : options_.guiding_surface->positions) surface.positions.push_back(sites_.to_unit(p));
     surface.site.assign(surface.positions.size(), kNone);
-    surface.triangles.assign(options_.guiding_surface->triangles.begin(), options_.guiding_surface->triangles.end());
+    surface.triangles.assign(options_.guiding_surface->triangles.begin(),
+                             options_.guiding_surface->triangles.end());
     return surface;
   };
   switch (options_.initial_surface) {
-    case InitialSurface::Wrap: return {wrap(kWrapAlpha), wrap(2 * kWrapAlpha), wrap(4 * kWrapAlpha), sphere};
-    case InitialSurface::Given: return {given};
-    default: return {sphere};
+    case InitialSurface::Wrap:
+      return {wrap(kWrapAlpha), wrap(2 * kWrapAlpha), wrap(4 * kWrapAlpha), sphere};
+    case InitialSurface::Given:
+      return {given};
+    default:
+      return {sphere};
   }
 }
 

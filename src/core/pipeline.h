@@ -27,9 +27,9 @@ class Pipeline {
  private:
   struct Candidate {
     GuidingSurface film;
-    FilmQuality quality;         ///< after insertion
+    FilmQuality quality;  ///< after insertion
     std::int64_t inserted = 0;
-    double score() const;        ///< lower is better
+    double score() const;  ///< lower is better
   };
 
   void prepare();

@@ -19,7 +19,8 @@ using Cell = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
 
 using RegularVertex =
-    CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel, CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
+    CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel,
+                                                CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
 using RegularCell = CGAL::Regular_triangulation_cell_base_3<Kernel>;
 using Regular =
     CGAL::Regular_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<RegularVertex, RegularCell>>;
@@ -40,8 +41,10 @@ void collect_neighbours(const Triangulation& triangulation, PowerDiagram& diagra
   std::vector<Index> fill(diagram.offset.begin(), diagram.offset.end() - 1);
   for (const auto& [a, b] : edges) diagram.neighbour[fill[a]++] = b, diagram.neighbour[fill[b]++] = a;
   for (std::size_t i = 0; i + 1 < diagram.offset.size(); ++i) {
-    std::sort(diagram.neighbour.begin() + diagram.offset[i], diagram.neighbour.begin() + diagram.offset[i + 1]);
-    if (diagram.any_site == kNone && diagram.has_cell(static_cast<Index>(i))) diagram.any_site = static_cast<Index>(i);
+    std::sort(diagram.neighbour.begin() + diagram.offset[i],
+              diagram.neighbour.begin() + diagram.offset[i + 1]);
+    if (diagram.any_site == kNone && diagram.has_cell(static_cast<Index>(i)))
+      diagram.any_site = static_cast<Index>(i);
   }
 }
 
@@ -111,8 +114,8 @@ Tetrahedra DelaunayTriangulation::tetrahedra() const {
   }
   tets.neighbours.reserve(tets.corners.size());
   for (auto c : impl_->triangulation.all_cell_handles())
-    tets.neighbours.push_back({index[c->neighbor(0)], index[c->neighbor(1)], index[c->neighbor(2)],
-                               index[c->neighbor(3)]});
+    tets.neighbours.push_back(
+        {index[c->neighbor(0)], index[c->neighbor(1)], index[c->neighbor(2)], index[c->neighbor(3)]});
   return tets;
 }
 
@@ -121,7 +124,8 @@ PowerDiagram weighted_power_diagram(const std::vector<Vec3>& sites, const std::v
   std::vector<std::pair<Regular::Weighted_point, Index>> points;
   points.reserve(sites.size());
   for (std::size_t i = 0; i < sites.size(); ++i)
-    if (present[i]) points.emplace_back(Regular::Weighted_point(cgal_point(sites[i]), weights[i]), static_cast<Index>(i));
+    if (present[i])
+      points.emplace_back(Regular::Weighted_point(cgal_point(sites[i]), weights[i]), static_cast<Index>(i));
   Regular triangulation;
   triangulation.insert(points.begin(), points.end());
   PowerDiagram diagram;

@@ -11,11 +11,11 @@ namespace filmsticking {
 /// The power cells of some sites: who has a cell, and which cells touch. The cell of site i is
 /// { x : |x-p_i|^2 - w_i <= |x-p_j|^2 - w_j for all j } (paper, section 4.1); without weights, Voronoi.
 struct PowerDiagram {
-  std::vector<Vec3> position;      ///< of every site, also of those without a cell
-  std::vector<double> weight;      ///< empty: all zero
-  std::vector<Index> offset;       ///< neighbours of i: neighbour[offset[i] .. offset[i+1])
-  std::vector<Index> neighbour;    ///< ascending for each site; none for a site without a cell
-  Index any_site = kNone;          ///< the first with a cell
+  std::vector<Vec3> position;    ///< of every site, also of those without a cell
+  std::vector<double> weight;    ///< empty: all zero
+  std::vector<Index> offset;     ///< neighbours of i: neighbour[offset[i] .. offset[i+1])
+  std::vector<Index> neighbour;  ///< ascending for each site; none for a site without a cell
+  Index any_site = kNone;        ///< the first with a cell
 
   bool has_cell(Index i) const { return offset[i + 1] > offset[i]; }
 

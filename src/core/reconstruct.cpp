@@ -48,7 +48,8 @@ bool coplanar(const std::vector<Vec3>& p) {
 
 // Empty if the options are fine.
 std::string complaint(const Options& o) {
-  if (o.virtual_sites < Options::kAdaptiveVirtualSites) return "the number of virtual sites must not be negative";
+  if (o.virtual_sites < Options::kAdaptiveVirtualSites)
+    return "the number of virtual sites must not be negative";
   if (o.max_steps < 1) return "at least one film step is needed";
   if (o.max_rounds < 0) return "the number of rounds must not be negative";
   if (o.threads < 0) return "the number of threads must not be negative";
@@ -61,8 +62,10 @@ Status check_given_surface(const Options& o) {
   for (const Point& p : o.guiding_surface->positions)
     for (double x : p)
       if (!std::isfinite(x)) return Status::InvalidGuidingSurface;
-  const std::vector<Corners> triangles(o.guiding_surface->triangles.begin(), o.guiding_surface->triangles.end());
-  const ManifoldCheck check = check_manifold(triangles, static_cast<Index>(o.guiding_surface->positions.size()));
+  const std::vector<Corners> triangles(o.guiding_surface->triangles.begin(),
+                                       o.guiding_surface->triangles.end());
+  const ManifoldCheck check =
+      check_manifold(triangles, static_cast<Index>(o.guiding_surface->positions.size()));
   return check.ok() ? Status::Ok : Status::InvalidGuidingSurface;
 }
 
@@ -100,7 +103,8 @@ void describe_result(Result& result) {
   report.genus = report.components - euler / 2;
 }
 
-void run(const std::vector<Point>& points, const Options& options, const Execution& execution, Result& result) {
+void run(const std::vector<Point>& points, const Options& options, const Execution& execution,
+         Result& result) {
   Report& report = result.report;
   report.points = static_cast<std::int64_t>(points.size());
   const std::string wrong = complaint(options);
@@ -116,7 +120,8 @@ void run(const std::vector<Point>& points, const Options& options, const Executi
   report.duplicates = sites.duplicates;
   if (sites.size() < 4)
     return fail(result, Status::TooFewPoints,
-                   "a closed surface needs at least four distinct finite points, here are " + std::to_string(sites.size()));
+                "a closed surface needs at least four distinct finite points, here are " +
+                    std::to_string(sites.size()));
   if (coplanar(sites.positions)) return fail(result, Status::Coplanar, describe(Status::Coplanar));
 
   GuidingSurface film = Pipeline(sites, options, monitor, report).run();
@@ -144,20 +149,30 @@ Options Options::paper() {
 
 const char* describe(Status status) noexcept {
   switch (status) {
-    case Status::Ok: return "a closed surface was made";
-    case Status::TooFewPoints: return "a closed surface needs at least four distinct finite points";
-    case Status::Coplanar: return "all points lie on one plane, so they enclose no volume";
-    case Status::InvalidOptions: return "an option is out of its range";
-    case Status::InvalidGuidingSurface: return "the guiding surface given is not a closed oriented 2-manifold";
-    case Status::NoSurface: return "no closed surface through the points was found";
-    case Status::Cancelled: return "the reconstruction was cancelled";
-    case Status::OutOfMemory: return "not enough memory";
-    case Status::InternalError: return "an internal check failed";
+    case Status::Ok:
+      return "a closed surface was made";
+    case Status::TooFewPoints:
+      return "a closed surface needs at least four distinct finite points";
+    case Status::Coplanar:
+      return "all points lie on one plane, so they enclose no volume";
+    case Status::InvalidOptions:
+      return "an option is out of its range";
+    case Status::InvalidGuidingSurface:
+      return "the guiding surface given is not a closed oriented 2-manifold";
+    case Status::NoSurface:
+      return "no closed surface through the points was found";
+    case Status::Cancelled:
+      return "the reconstruction was cancelled";
+    case Status::OutOfMemory:
+      return "not enough memory";
+    case Status::InternalError:
+      return "an internal check failed";
   }
   return "unknown status";
 }
 
-Result reconstruct(const std::vector<Point>& points, const Options& options, const Execution& execution) noexcept {
+Result reconstruct(const std::vector<Point>& points, const Options& options,
+                   const Execution& execution) noexcept {
   const auto start = std::chrono::steady_clock::now();
   Result result;
   const auto failed = [&](Status status, const char* message) {

@@ -9,7 +9,8 @@ namespace filmsticking {
 namespace {
 
 // Appends the cells from `a` (the owner of `from`) to `b` (the owner of `to`) along a segment.
-void walk(const PowerDiagram& diagram, const Vec3& from, const Vec3& to, Index a, Index b, std::vector<Index>& cells) {
+void walk(const PowerDiagram& diagram, const Vec3& from, const Vec3& to, Index a, Index b,
+          std::vector<Index>& cells) {
   const Vec3 direction = to - from;
   cells.push_back(a);
   Index at = a;

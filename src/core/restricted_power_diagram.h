@@ -12,11 +12,11 @@ namespace filmsticking {
 /// diagram (paper, section 4.1). Each edge is cut once, for both of its faces, so that what the faces make
 /// of it always fits together, whatever rounding did.
 struct RestrictedPowerDiagram {
-  std::vector<Index> twin;      ///< of every half-edge of the surface
-  std::vector<Index> edge;      ///< per half-edge: its undirected edge
-  std::vector<char> forward;    ///< per half-edge: does it run along the edge's direction?
-  std::vector<Index> offset;    ///< the cells along edge e: cell[offset[e] .. offset[e+1]), at least one,
-  std::vector<Index> cell;      ///< neighbouring ones distinct
+  std::vector<Index> twin;    ///< of every half-edge of the surface
+  std::vector<Index> edge;    ///< per half-edge: its undirected edge
+  std::vector<char> forward;  ///< per half-edge: does it run along the edge's direction?
+  std::vector<Index> offset;  ///< the cells along edge e: cell[offset[e] .. offset[e+1]), at least one,
+  std::vector<Index> cell;    ///< neighbouring ones distinct
 
   /// Crossing i of edge e, between its cells i and i+1, has this number.
   Index crossing(Index e, Index i) const { return offset[e] + i; }

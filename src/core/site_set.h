@@ -11,13 +11,13 @@ namespace filmsticking {
 
 /// The distinct finite points, in a box of longest side 1 around the origin and along a space-filling curve.
 struct SiteSet {
-  std::vector<Vec3> positions;       ///< recentred and scaled
-  std::vector<Vec3> perturbed;       ///< the same moved by at most kPerturbation: no four on a circle
-  std::vector<std::int32_t> input;   ///< site i is input point input[i]: of equal points the first
+  std::vector<Vec3> positions;      ///< recentred and scaled
+  std::vector<Vec3> perturbed;      ///< the same moved by at most kPerturbation: no four on a circle
+  std::vector<std::int32_t> input;  ///< site i is input point input[i]: of equal points the first
   std::int64_t non_finite = 0;
   std::int64_t duplicates = 0;
-  Vec3 centre = Vec3::Zero();        ///< of the input's box, in the caller's unit
-  double side = 1;                   ///< longest side of the input's box, in the caller's unit; > 0
+  Vec3 centre = Vec3::Zero();  ///< of the input's box, in the caller's unit
+  double side = 1;             ///< longest side of the input's box, in the caller's unit; > 0
 
   std::size_t size() const { return positions.size(); }
   Vec3 to_unit(const Point& p) const { return (Vec3(p[0], p[1], p[2]) - centre) / side; }

@@ -6,7 +6,6 @@
 namespace filmsticking {
 namespace {
 
-
 // Half-edges bucketed by their origin.
 struct OutgoingHalfEdges {
   std::vector<Index> offset, half_edge;
@@ -17,14 +16,11 @@ struct OutgoingHalfEdges {
     for (std::size_t v = 1; v < offset.size(); ++v) offset[v] += offset[v - 1];
     std::vector<Index> fill(offset.begin(), offset.end() - 1);
     for (std::size_t t = 0; t < triangles.size(); ++t)
-      for (std::size_t k = 0; k < 3; ++k)
-        half_edge[fill[triangles[t][k]]++] = static_cast<Index>(3 * t + k);
+      for (std::size_t k = 0; k < 3; ++k) half_edge[fill[triangles[t][k]]++] = static_cast<Index>(3 * t + k);
   }
 };
 
-Index target(const std::vector<Corners>& triangles, Index h) {
-  return triangles[h / 3][next_in_face(h) % 3];
-}
+Index target(const std::vector<Corners>& triangles, Index h) { return triangles[h / 3][next_in_face(h) % 3]; }
 
 }  // namespace
 
@@ -72,8 +68,10 @@ ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t j = i;
     while (j < edges.size() && edges[j].a == edges[i].a && edges[j].b == edges[i].b) ++j;
-    if (j - i != 2) check.closed = false;
-    else if (edges[i].forward == edges[i + 1].forward) check.oriented = false;
+    if (j - i != 2)
+      check.closed = false;
+    else if (edges[i].forward == edges[i + 1].forward)
+      check.oriented = false;
     i = j;
   }
   if (!check.closed || !check.oriented) {

@@ -13,10 +13,10 @@ inline Index prev_in_face(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
 /// What is wrong with a triangle list, if anything.
 struct ManifoldCheck {
-  bool indices_valid = true;   ///< corners in range and distinct
-  bool closed = true;          ///< every edge has exactly two faces
-  bool oriented = true;        ///< which run along it in opposite directions
-  bool single_rings = true;    ///< the faces around every vertex form one ring
+  bool indices_valid = true;  ///< corners in range and distinct
+  bool closed = true;         ///< every edge has exactly two faces
+  bool oriented = true;       ///< which run along it in opposite directions
+  bool single_rings = true;   ///< the faces around every vertex form one ring
   bool ok() const { return indices_valid && closed && oriented && single_rings; }
 };
 

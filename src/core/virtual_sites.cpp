@@ -40,7 +40,8 @@ std::vector<Vec3> by_local_scale(const std::vector<Ball>& balls, std::size_t mos
   bool first = true;
   auto key = [](int level, std::int64_t x, std::int64_t y, std::int64_t z) {
     std::uint64_t h = static_cast<std::uint64_t>(level + 1024);
-    for (std::int64_t c : {x, y, z}) h = (h ^ static_cast<std::uint64_t>(c + (1 << 30))) * 0x9e3779b97f4a7c15ULL, h ^= h >> 31;
+    for (std::int64_t c : {x, y, z})
+      h = (h ^ static_cast<std::uint64_t>(c + (1 << 30))) * 0x9e3779b97f4a7c15ULL, h ^= h >> 31;
     return h;
   };
   auto cell = [](double x, double size) { return static_cast<std::int64_t>(std::floor(x / size)); };
@@ -50,7 +51,8 @@ std::vector<Vec3> by_local_scale(const std::vector<Ball>& balls, std::size_t mos
     bool free = true;
     for (int l = finest; free && !first && l <= coarsest; ++l) {
       const double size = std::ldexp(1.0, l);  // a chosen ball of level l keeps others out of less than this
-      const std::int64_t x = cell(ball.centre.x(), size), y = cell(ball.centre.y(), size), z = cell(ball.centre.z(), size);
+      const std::int64_t x = cell(ball.centre.x(), size), y = cell(ball.centre.y(), size),
+                         z = cell(ball.centre.z(), size);
       for (std::int64_t n = 0; free && n < 27; ++n) {
         const auto found = grid.find(key(l, x + n % 3 - 1, y + n / 3 % 3 - 1, z + n / 9 - 1));
         if (found == grid.end()) continue;
@@ -61,7 +63,8 @@ std::vector<Vec3> by_local_scale(const std::vector<Ball>& balls, std::size_t mos
     if (!free) continue;
     chosen.push_back(ball.centre);
     const double size = std::ldexp(1.0, level);
-    grid[key(level, cell(ball.centre.x(), size), cell(ball.centre.y(), size), cell(ball.centre.z(), size))].push_back(ball);
+    grid[key(level, cell(ball.centre.x(), size), cell(ball.centre.y(), size), cell(ball.centre.z(), size))]
+        .push_back(ball);
     coarsest = first ? level : std::max(coarsest, level);
     finest = first ? level : std::min(finest, level);
     first = false;
@@ -82,7 +85,8 @@ std::vector<Vec3> virtual_sites(const TetrahedralMesh& mesh, const std::vector<d
   }
   std::sort(balls.begin(), balls.end(), [](const Ball& a, const Ball& b) {
     if (a.radius != b.radius) return a.radius > b.radius;
-    return std::lexicographical_compare(a.centre.data(), a.centre.data() + 3, b.centre.data(), b.centre.data() + 3);
+    return std::lexicographical_compare(a.centre.data(), a.centre.data() + 3, b.centre.data(),
+                                        b.centre.data() + 3);
   });
   if (count <= 0) return by_local_scale(balls, spacing.size());
   // Farthest-point sampling needs no more candidates than this to be even.

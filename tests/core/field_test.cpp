@@ -68,7 +68,9 @@ TEST(TetrahedralBoundary, IsClosedForAnyLabelsAndRepairsToAManifold) {
     RepairCounts counts;
     const GuidingSurface film =
         film_of_sites(manifold_repair(c, s.set.perturbed, RingChoice::Smooth, counts), s.set.perturbed);
-    if (!film.triangles.empty()) { EXPECT_TRUE(check_manifold(film.triangles, static_cast<Index>(film.positions.size())).ok()) << seed; }
+    if (!film.triangles.empty()) {
+      EXPECT_TRUE(check_manifold(film.triangles, static_cast<Index>(film.positions.size())).ok()) << seed;
+    }
   }
 }
 
@@ -179,9 +181,10 @@ TEST(Sculpt, FollowsTheEvidenceWhereTheBeliefIsVague) {
     if (!s.mesh.tets.infinite(static_cast<Index>(t))) belief[t] = s.centre(t).norm() < 0.45 ? 1 : 0;
   const auto inside = sculpt(s.mesh, s.evidence, belief, 0.1);
   RepairCounts counts;
-  const GuidingSurface film = film_of_sites(
-      manifold_repair(tetrahedral_boundary(s.mesh, inside, s.set.perturbed), s.set.perturbed, RingChoice::Smooth, counts),
-      s.set.perturbed);
+  const GuidingSurface film =
+      film_of_sites(manifold_repair(tetrahedral_boundary(s.mesh, inside, s.set.perturbed), s.set.perturbed,
+                                    RingChoice::Smooth, counts),
+                    s.set.perturbed);
   EXPECT_GT(film.site.size(), 2990u);
   EXPECT_LT(film_quality(film, s.geometry).disagreement, 0.02);
 }

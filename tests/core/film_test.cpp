@@ -28,7 +28,8 @@ void expect_manifold(const GuidingSurface& film) {
   EXPECT_TRUE(check_manifold(film.triangles, static_cast<Index>(film.positions.size())).ok());
   std::vector<Index> sites = film.site;
   std::sort(sites.begin(), sites.end());
-  EXPECT_TRUE(std::adjacent_find(sites.begin(), sites.end()) == sites.end()) << "a site stands on two vertices";
+  EXPECT_TRUE(std::adjacent_find(sites.begin(), sites.end()) == sites.end())
+      << "a site stands on two vertices";
 }
 
 TEST(DualComplex, IsClosedWhateverTheSites) {
@@ -68,13 +69,15 @@ HalfEdgeComplex random_complex(std::uint64_t seed) {
   for (int i = 0; i < pairs; ++i) {
     Index a = random.below(sites), b = random.below(sites), d = random.below(sites);
     if (a == b || b == d || a == d) continue;
-    c.site.insert(c.site.end(), {a, b, d, a, d, b});  // a triangle and its back, so that all half-edges can pair
+    c.site.insert(c.site.end(),
+                  {a, b, d, a, d, b});  // a triangle and its back, so that all half-edges can pair
     c.point.insert(c.point.end(), 2, Vec3::Zero());
   }
   c.twin.assign(c.site.size(), kNone);
   std::vector<Index> order(c.site.size());
   std::iota(order.begin(), order.end(), 0);
-  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(static_cast<int>(i))]);
+  for (std::size_t i = order.size(); i > 1; --i)
+    std::swap(order[i - 1], order[random.below(static_cast<int>(i))]);
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Index h = order[i];
     for (std::size_t j = i + 1; j < order.size() && c.twin[h] == kNone; ++j) {
@@ -106,7 +109,8 @@ TEST(ManifoldRepair, MakesAManifoldOfAnyClosedComplex) {
 }
 
 TEST(ManifoldRepair, LeavesAManifoldAlone) {
-  const HalfEdgeComplex tetrahedron{{0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3}, {9, 6, 3, 2, 8, 10, 1, 11, 4, 0, 5, 7},
+  const HalfEdgeComplex tetrahedron{{0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3},
+                                    {9, 6, 3, 2, 8, 10, 1, 11, 4, 0, 5, 7},
                                     std::vector<Vec3>(4, Vec3::Zero())};
   expect_closed(tetrahedron);
   RepairCounts counts;
@@ -143,7 +147,8 @@ TEST(Film, ReachesEverySiteOfASphereAndIsStable) {
   FilmOptions options;
   std::vector<StepRecord> records;
   options.after_step = [&](const StepRecord& r, const GuidingSurface&) { return records.push_back(r), true; };
-  const GuidingSurface film = evolve_film(bounding_sphere(set.positions), set.perturbed, set.size(), diagram, options);
+  const GuidingSurface film =
+      evolve_film(bounding_sphere(set.positions), set.perturbed, set.size(), diagram, options);
   EXPECT_EQ(attracted_points(film, set.size()), 2000);
   ASSERT_FALSE(records.empty());
   EXPECT_EQ(records.back().attracted, 2000);
@@ -172,7 +177,8 @@ TEST(Film, VirtualSitesLeaveAndNeverStay) {
   const SiteSet set = make_site_set(test::sphere(800, 8));
   std::vector<Vec3> sites = set.perturbed;
   test::Random random(9);
-  for (int i = 0; i < 60; ++i) sites.emplace_back(random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6));
+  for (int i = 0; i < 60; ++i)
+    sites.emplace_back(random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6));
   const PowerDiagram diagram = DelaunayTriangulation(set.perturbed).voronoi();
   FilmOptions options;
   std::int64_t left = 60;
@@ -181,7 +187,8 @@ TEST(Film, VirtualSitesLeaveAndNeverStay) {
     left = r.virtual_left;
     return true;
   };
-  const GuidingSurface film = evolve_film(bounding_sphere(set.positions), sites, set.size(), diagram, options);
+  const GuidingSurface film =
+      evolve_film(bounding_sphere(set.positions), sites, set.size(), diagram, options);
   expect_manifold(film);
   for (Index s : film.site) EXPECT_LT(s, static_cast<Index>(set.size()));
 }
@@ -193,8 +200,10 @@ TEST(InsertSites, KeepsAManifoldAndReportsWhatWentIn) {
     std::vector<Vec3> some;
     std::vector<Index> off, id;
     for (std::size_t s = 0; s < set.size(); ++s) {
-      if (s % 5 == seed % 5) off.push_back(static_cast<Index>(s));
-      else some.push_back(set.perturbed[s]), id.push_back(static_cast<Index>(s));
+      if (s % 5 == seed % 5)
+        off.push_back(static_cast<Index>(s));
+      else
+        some.push_back(set.perturbed[s]), id.push_back(static_cast<Index>(s));
     }
     const PowerDiagram diagram = DelaunayTriangulation(some).voronoi();
     GuidingSurface film = evolve_film(alpha_wrap(some, 0.1), some, some.size(), diagram, {});

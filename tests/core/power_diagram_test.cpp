@@ -19,7 +19,8 @@ namespace {
 std::vector<Vec3> random_sites(int n, std::uint64_t seed) {
   test::Random random(seed);
   std::vector<Vec3> sites;
-  for (int i = 0; i < n; ++i) sites.emplace_back(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5));
+  for (int i = 0; i < n; ++i)
+    sites.emplace_back(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5));
   return sites;
 }
 
@@ -48,7 +49,9 @@ TEST(PowerDiagram, WeightsHideAndAbsentSitesHaveNoCell) {
   for (int i = 0; i < 200; ++i) weights[i] = random.uniform(0, 0.05), present[i] = random.below(10) > 0;
   const PowerDiagram diagram = weighted_power_diagram(sites, weights, present);
   for (int i = 0; i < 200; ++i)
-    if (!present[i]) { EXPECT_FALSE(diagram.has_cell(i)); }
+    if (!present[i]) {
+      EXPECT_FALSE(diagram.has_cell(i));
+    }
   for (int i = 0; i < 500; ++i) {
     const Vec3 x(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
     EXPECT_EQ(diagram.owner(x, kNone), brute_owner(diagram, x, present));
@@ -109,7 +112,8 @@ TEST(AttractionWeights, StayInThePapersInterval) {
   for (std::size_t s = 0; s < weights.size(); ++s) {
     if (weights[s] == 0) continue;
     double to_vertex2 = 1e300;
-    for (const Vec3& v : film.positions) to_vertex2 = std::min(to_vertex2, (v - set.positions[s]).squaredNorm());
+    for (const Vec3& v : film.positions)
+      to_vertex2 = std::min(to_vertex2, (v - set.positions[s]).squaredNorm());
     EXPECT_GT(weights[s], (surface.nearest(set.positions[s]).point - set.positions[s]).squaredNorm());
     EXPECT_LT(weights[s], to_vertex2);
   }
@@ -129,7 +133,8 @@ TEST(Nearest, AgreesWithBruteForce) {
   const PointTree tree(points);
   for (const Vec3& x : random_sites(50, 10)) {
     std::vector<std::pair<double, Index>> all;
-    for (std::size_t i = 0; i < points.size(); ++i) all.emplace_back((points[i] - x).squaredNorm(), static_cast<Index>(i));
+    for (std::size_t i = 0; i < points.size(); ++i)
+      all.emplace_back((points[i] - x).squaredNorm(), static_cast<Index>(i));
     std::sort(all.begin(), all.end());
     const auto near = tree.nearest(x, 15);
     ASSERT_EQ(near.size(), 15u);
@@ -140,14 +145,17 @@ TEST(Nearest, AgreesWithBruteForce) {
 
 TEST(VirtualSites, AreFarFromSitesAndFromEachOther) {
   const SiteSet set = make_site_set(test::torus(2000, 11));
-  const TetrahedralMesh mesh = make_tetrahedral_mesh(DelaunayTriangulation(set.perturbed).tetrahedra(), set.perturbed);
+  const TetrahedralMesh mesh =
+      make_tetrahedral_mesh(DelaunayTriangulation(set.perturbed).tetrahedra(), set.perturbed);
   const std::vector<double> spacing(set.size(), 0.03);
   const PointTree sites(set.perturbed);
   const std::vector<char> all(mesh.size(), 1), none(mesh.size(), 0);
   for (const int count : {50, -1}) {
     const auto chosen = virtual_sites(mesh, spacing, count, all);
     EXPECT_FALSE(chosen.empty());
-    if (count > 0) { EXPECT_LE(chosen.size(), 50u); }
+    if (count > 0) {
+      EXPECT_LE(chosen.size(), 50u);
+    }
     for (const Vec3& v : chosen) {
       double d2 = 0;
       sites.nearest(v, &d2);

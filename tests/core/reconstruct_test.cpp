@@ -40,9 +40,12 @@ void expect_promise(const Result& result, const std::vector<Point>& points) {
 std::map<std::string, std::vector<Point>> clouds() {
   auto two = test::sphere(1500, 3);
   for (const Point& p : test::sphere(1500, 4, {3, 0, 0})) two.push_back(p);
-  return {{"sphere", test::sphere(2000, 1)},   {"torus", test::torus(3000, 2)},
-          {"two spheres", two},                {"cube", test::box(3000, 5, {1, 1, 1})},
-          {"thin plate", test::box(3000, 6, {1, 1, 0.02})}, {"grid", test::grid(9)},
+  return {{"sphere", test::sphere(2000, 1)},
+          {"torus", test::torus(3000, 2)},
+          {"two spheres", two},
+          {"cube", test::box(3000, 5, {1, 1, 1})},
+          {"thin plate", test::box(3000, 6, {1, 1, 0.02})},
+          {"grid", test::grid(9)},
           {"bun0", test::read_text_pcd(TEST_DATA "/bun0.pcd")},
           {"spot", test::read_float_ply(TEST_DATA "/spot_10k.ply")}};
 }
@@ -65,7 +68,9 @@ TEST(Reconstruct, Guarantee1to4_EveryWayOnEveryCloud) {
         const Result result = reconstruct(points, options_of(first, field));
         EXPECT_EQ(result.status, Status::Ok) << result.message;
         expect_promise(result, points);
-        if (result.report.components == 1) { EXPECT_GT(test::signed_volume(mesh_of(result, points)), 0); }
+        if (result.report.components == 1) {
+          EXPECT_GT(test::signed_volume(mesh_of(result, points)), 0);
+        }
       }
 }
 
@@ -111,8 +116,8 @@ TEST(Reconstruct, FindsTheTopology) {
     std::int64_t genus, components;
   };
   auto all = clouds();
-  for (const Case& c : {Case{"sphere", 0, 1}, Case{"torus", 1, 1}, Case{"two spheres", 0, 2}, Case{"cube", 0, 1},
-                        Case{"spot", 0, 1}}) {
+  for (const Case& c : {Case{"sphere", 0, 1}, Case{"torus", 1, 1}, Case{"two spheres", 0, 2},
+                        Case{"cube", 0, 1}, Case{"spot", 0, 1}}) {
     const Result result = reconstruct(all[c.name]);
     EXPECT_EQ(result.report.genus, c.genus) << c.name;
     EXPECT_EQ(result.report.components, c.components) << c.name;
@@ -213,7 +218,9 @@ TEST(Reconstruct, ProgressRisesAndCancelStops) {
       if (++calls > stop_at) cancel = true;
     };
     const Result result = reconstruct(points, {}, execution);
-    if (last < 1) { EXPECT_EQ(result.status, Status::Cancelled); }
+    if (last < 1) {
+      EXPECT_EQ(result.status, Status::Cancelled);
+    }
     expect_promise(result, points);
   }
 }

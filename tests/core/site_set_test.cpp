@@ -14,8 +14,8 @@ namespace filmsticking {
 namespace {
 
 TEST(SiteSet, DropsNonFiniteAndRepeatedPoints) {
-  const SiteSet set =
-      make_site_set({{0, 0, 0}, {NAN, 0, 0}, {1, 2, 3}, {0, 0, INFINITY}, {1, 2, 3}, {-0.0, 0, 0}, {4, 0, 0}});
+  const SiteSet set = make_site_set(
+      {{0, 0, 0}, {NAN, 0, 0}, {1, 2, 3}, {0, 0, INFINITY}, {1, 2, 3}, {-0.0, 0, 0}, {4, 0, 0}});
   EXPECT_EQ(set.non_finite, 2);
   EXPECT_EQ(set.duplicates, 2);
   std::set<std::int32_t> ids(set.input.begin(), set.input.end());

@@ -56,7 +56,8 @@ TEST(GuidingSurface, WrapIsClosedAndHoldsTheSites) {
   EXPECT_TRUE(check_manifold(wrap.triangles, static_cast<Index>(wrap.positions.size())).ok());
   std::vector<Index> all;
   for (std::size_t t = 0; t < wrap.triangles.size(); ++t) all.push_back(static_cast<Index>(t));
-  for (std::size_t s = 0; s < set.size(); s += 50) EXPECT_NEAR(solid_angle_winding(wrap, all, set.positions[s]), 1, 1e-6);
+  for (std::size_t s = 0; s < set.size(); s += 50)
+    EXPECT_NEAR(solid_angle_winding(wrap, all, set.positions[s]), 1, 1e-6);
 }
 
 TEST(Orientation, TurnsSolidsOutwardAndCavitiesInward) {
@@ -65,7 +66,8 @@ TEST(Orientation, TurnsSolidsOutwardAndCavitiesInward) {
     const Index first = static_cast<Index>(nested.positions.size());
     for (const Vec3& p : {Vec3(-1, -1, -1), Vec3(1, 1, -1), Vec3(1, -1, 1), Vec3(-1, 1, 1)})
       nested.positions.push_back(size * p), nested.site.push_back(kNone);
-    for (const Corners& t : kTetrahedron) nested.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    for (const Corners& t : kTetrahedron)
+      nested.triangles.push_back({first + t[0], first + t[1], first + t[2]});
   }
   for (int flips = 0; flips < 8; ++flips) {
     GuidingSurface turned = nested;

@@ -91,14 +91,30 @@ inline std::vector<Point> awkward(std::uint64_t seed) {
   for (int i = 0; i < n; ++i) {
     Point p{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
     switch (kind) {
-      case 0: break;                                                           // a ball of noise
-      case 1: p = random.direction(); break;                                   // cospherical
-      case 2: for (double& x : p) x = std::round(3 * x); break;                // a grid, with duplicates
-      case 3: p[2] = 0; break;                                                 // a plane
-      case 4: p[1] = p[2] = 0; break;                                          // a line
-      case 5: p[2] = random.below(2) * 1e-6; break;                            // two planes closer than anything
-      case 6: if (random.below(2)) for (double& x : p) x = 0.5 + 1e-9 * x; break;  // a cluster within a cloud
-      default: if (i % 7 == 0) p[random.below(3)] = random.below(2) ? NAN : INFINITY; break;
+      case 0:
+        break;  // a ball of noise
+      case 1:
+        p = random.direction();
+        break;  // cospherical
+      case 2:
+        for (double& x : p) x = std::round(3 * x);
+        break;  // a grid, with duplicates
+      case 3:
+        p[2] = 0;
+        break;  // a plane
+      case 4:
+        p[1] = p[2] = 0;
+        break;  // a line
+      case 5:
+        p[2] = random.below(2) * 1e-6;
+        break;  // two planes closer than anything
+      case 6:
+        if (random.below(2))
+          for (double& x : p) x = 0.5 + 1e-9 * x;
+        break;  // a cluster within a cloud
+      default:
+        if (i % 7 == 0) p[random.below(3)] = random.below(2) ? NAN : INFINITY;
+        break;
     }
     for (int k = 0; k < 3; ++k) p[k] = p[k] * scale + offset[k];
     points.push_back(p);

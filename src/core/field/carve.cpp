@@ -12,8 +12,8 @@ namespace filmsticking {
 namespace {
 
 // Radius of the smallest empty ball through the facet's corners: the width of the gate.
-double gate_width(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites, const std::vector<double>& spacing,
-                  Index t, int k) {
+double gate_width(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
+                  const std::vector<double>& spacing, Index t, int k) {
   const auto& corners = mesh.tets.corners[t];
   const Index i = corners[kFacet[k][0]], j = corners[kFacet[k][1]], l = corners[kFacet[k][2]];
   if (i == kNone || j == kNone || l == kNone) return std::numeric_limits<double>::infinity();

@@ -48,8 +48,7 @@ FacetEvidence facet_evidence(const TetrahedralMesh& mesh, const std::vector<Vec3
       Vec3 normal = (sites[ids[1]] - a).cross(sites[ids[2]] - a);  // out of t
       const double area = normal.norm() / 2;
       if (area > 0) normal /= 2 * area;
-      const double quality =
-          1 - std::min(cosine(mesh, t, a, normal), cosine(mesh, u, a, Vec3(-normal)));
+      const double quality = 1 - std::min(cosine(mesh, t, a, normal), cosine(mesh, u, a, Vec3(-normal)));
       const bool infinite_t = mesh.tets.infinite(t), infinite_u = mesh.tets.infinite(u);
       int votes = 0;
       if (!(infinite_t && infinite_u)) {

@@ -12,8 +12,13 @@ constexpr Index kTerminal = -2, kOrphan = -3;  // instead of a parent arc
 class Solver {
  public:
   explicit Solver(CutGraph& graph)
-      : g_(graph), n_(static_cast<Index>(graph.terminal.size())), tree_(n_, 0), parent_(n_, kNone), active_flag_(n_, 0),
-        time_(n_, 0), distance_(n_, 0) {}
+      : g_(graph),
+        n_(static_cast<Index>(graph.terminal.size())),
+        tree_(n_, 0),
+        parent_(n_, kNone),
+        active_flag_(n_, 0),
+        time_(n_, 0),
+        distance_(n_, 0) {}
 
   std::vector<char> solve(const std::vector<char>& fallback) {
     for (Index i = 0; i < n_; ++i)
@@ -86,7 +91,8 @@ class Solver {
   void augment(Index bridge) {
     std::int64_t flow = capacity(bridge);
     Index i = bridge / 4;
-    for (; parent_[i] != kTerminal; i = mirror(parent_[i]) / 4) flow = std::min(flow, capacity(mirror(parent_[i])));
+    for (; parent_[i] != kTerminal; i = mirror(parent_[i]) / 4)
+      flow = std::min(flow, capacity(mirror(parent_[i])));
     flow = std::min(flow, g_.terminal[i]);
     for (i = mirror(bridge) / 4; parent_[i] != kTerminal; i = mirror(parent_[i]) / 4)
       flow = std::min(flow, capacity(parent_[i]));

@@ -14,7 +14,7 @@ struct CutGraph {
   /// The arc back along arc k of node t, as 4 * node + arc.
   const std::vector<std::array<Index, 4>>& mirror;
   std::vector<std::array<std::int64_t, 4>> capacity;  ///< of the arc from node t through k; equal both ways
-  std::vector<std::int64_t> terminal;                 ///< > 0: cost of leaving the source's side; < 0: the sink's
+  std::vector<std::int64_t> terminal;  ///< > 0: cost of leaving the source's side; < 0: the sink's
 };
 
 /// The side of each node in a minimum cut: 1 source, 0 sink. Boykov and Kolmogorov, "An experimental

@@ -18,7 +18,8 @@ std::vector<double> poisson_belief(const TetrahedralMesh& mesh, const std::vecto
     const double length = normals[i].norm();
     if (!(length > 0)) continue;
     const Vec3 n = normals[i] / length;
-    points.emplace_back(Kernel::Point_3(sites[i].x(), sites[i].y(), sites[i].z()), Kernel::Vector_3(n.x(), n.y(), n.z()));
+    points.emplace_back(Kernel::Point_3(sites[i].x(), sites[i].y(), sites[i].z()),
+                        Kernel::Vector_3(n.x(), n.y(), n.z()));
   }
   if (points.size() < 4) return {};
   CGAL::Poisson_reconstruction_function<Kernel> function(points.begin(), points.end(),

@@ -18,7 +18,9 @@ std::vector<char> sculpt(const TetrahedralMesh& mesh, const FacetEvidence& evide
     for (double c : costs) sum += c;
   // Whole numbers, so that the flow is exact and ends: a mean facet costs some thousands.
   const double unit = sum > 0 ? 4096.0 * 4.0 * static_cast<double>(mesh.size()) / sum : 1;
-  auto price = [&](double cost) { return static_cast<std::int64_t>(std::llround(std::min(cost * unit, 1e12))); };
+  auto price = [&](double cost) {
+    return static_cast<std::int64_t>(std::llround(std::min(cost * unit, 1e12)));
+  };
   std::vector<char> fallback(mesh.size());
   for (std::size_t t = 0; t < mesh.size(); ++t) {
     const bool infinite = mesh.tets.infinite(static_cast<Index>(t));

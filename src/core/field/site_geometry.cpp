@@ -19,7 +19,8 @@ SiteGeometry site_geometry(const std::vector<Vec3>& sites, std::size_t k) {
   parallel_each(sites.size(), [&](std::size_t i) {
     const std::vector<Index> near = tree.nearest(sites[i], k + 1);  // with the site itself
     const double radius = (sites[near.back()] - sites[i]).norm();
-    geometry.spacing[i] = radius * std::sqrt(M_PI / static_cast<double>(std::max<std::size_t>(near.size() - 1, 1)));
+    geometry.spacing[i] =
+        radius * std::sqrt(M_PI / static_cast<double>(std::max<std::size_t>(near.size() - 1, 1)));
     for (std::size_t j = 0; j < 6; ++j) geometry.near[i][j] = j + 1 < near.size() ? near[j + 1] : kNone;
     Vec3 mean = Vec3::Zero();
     for (Index j : near) mean += sites[j];

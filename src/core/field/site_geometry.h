@@ -9,9 +9,10 @@ namespace filmsticking {
 
 /// What the neighbourhood of each site tells without a surface.
 struct SiteGeometry {
-  std::vector<double> spacing;  ///< sqrt(pi r^2 / k) with r the distance to the k-th neighbour: what one sample covers
+  std::vector<double>
+      spacing;  ///< sqrt(pi r^2 / k) with r the distance to the k-th neighbour: what one sample covers
   std::vector<std::array<Index, 6>> near;  ///< the nearest sites, nearest first; kNone where there are fewer
-  std::vector<Vec3> normal;     ///< unit normal of the plane fitted to the neighbours; its sign says nothing
+  std::vector<Vec3> normal;  ///< unit normal of the plane fitted to the neighbours; its sign says nothing
 };
 
 /// From the `k` nearest sites of each.

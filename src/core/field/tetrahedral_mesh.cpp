@@ -16,7 +16,8 @@ Vec3 circumcentre(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 vw = v.cross(w);
   const double volume6 = u.dot(vw);
   if (volume6 == 0) return (a + b + c + d) / 4;
-  return a + (u.squaredNorm() * vw + v.squaredNorm() * w.cross(u) + w.squaredNorm() * u.cross(v)) / (2 * volume6);
+  return a +
+         (u.squaredNorm() * vw + v.squaredNorm() * w.cross(u) + w.squaredNorm() * u.cross(v)) / (2 * volume6);
 }
 
 int corner_index(const std::array<Index, 4>& corners, Index v) {
@@ -37,8 +38,8 @@ TetrahedralMesh make_tetrahedral_mesh(Tetrahedra tets, const std::vector<Vec3>& 
   parallel_each(n, [&](std::size_t t) {
     const auto& corners = mesh.tets.corners[t];
     for (int k = 0; k < 4; ++k) {
-      // Two tetrahedra may share several facets only at infinity of a flat cloud; compare the back pointer and
-      // the corner that is not shared.
+      // Two tetrahedra may share several facets only at infinity of a flat cloud; compare the back pointer
+      // and the corner that is not shared.
       const Index u = mesh.tets.neighbours[t][k];
       int facet = 0;
       for (int j = 0; j < 4; ++j)
@@ -65,7 +66,7 @@ TetrahedralMesh make_tetrahedral_mesh(Tetrahedra tets, const std::vector<Vec3>& 
 HalfEdgeComplex tetrahedral_boundary(const TetrahedralMesh& mesh, const std::vector<char>& inside,
                                      const std::vector<Vec3>& sites) {
   HalfEdgeComplex boundary;
-  std::vector<Index> facets;                       // 4 * tet + k
+  std::vector<Index> facets;  // 4 * tet + k
   std::vector<Index> triangle(4 * mesh.size(), kNone);
   for (std::size_t t = 0; t < mesh.size(); ++t) {
     if (!inside[t]) continue;
@@ -89,7 +90,8 @@ HalfEdgeComplex tetrahedral_boundary(const TetrahedralMesh& mesh, const std::vec
       // Turn around a-b through the inside, from facet to facet.
       for (;;) {
         Index other = 0;
-        while (other == facet || mesh.tets.corners[t][other] == a || mesh.tets.corners[t][other] == b) ++other;
+        while (other == facet || mesh.tets.corners[t][other] == a || mesh.tets.corners[t][other] == b)
+          ++other;
         const Index found = triangle[4 * t + other];
         if (found != kNone) {
           for (int i = 0; i < 3; ++i)

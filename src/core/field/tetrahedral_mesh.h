@@ -8,15 +8,16 @@
 
 namespace filmsticking {
 
-/// Corners of the facet opposite corner k of a positively oriented tetrahedron, counter-clockwise from outside.
+/// Corners of the facet opposite corner k of a positively oriented tetrahedron, counter-clockwise from
+/// outside.
 constexpr int kFacet[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
 /// The Delaunay tetrahedra with what the field methods ask of them.
 struct TetrahedralMesh {
   Tetrahedra tets;
   std::vector<std::array<Index, 4>> mirror;  ///< across facet k: the neighbour's facet, as 4 * tet + facet
-  std::vector<Vec3> circumcentre;            ///< for an infinite one: the outward unit normal of its hull facet
-  std::vector<double> circumradius;          ///< for an infinite one: infinity
+  std::vector<Vec3> circumcentre;    ///< for an infinite one: the outward unit normal of its hull facet
+  std::vector<double> circumradius;  ///< for an infinite one: infinity
 
   std::size_t size() const { return tets.size(); }
 };

@@ -13,7 +13,8 @@ std::vector<Vec3> film_dipoles(const GuidingSurface& film, std::size_t sites) {
     const Vec3 &a = film.positions[t[0]], &b = film.positions[t[1]], &c = film.positions[t[2]];
     const Vec3 third = (b - a).cross(c - a) / 6;
     for (Index v : t)
-      if (film.site[v] != kNone && static_cast<std::size_t>(film.site[v]) < sites) dipole[film.site[v]] += third;
+      if (film.site[v] != kNone && static_cast<std::size_t>(film.site[v]) < sites)
+        dipole[film.site[v]] += third;
   }
   return dipole;
 }
@@ -45,7 +46,8 @@ Index WindingNumber::build(Index begin, Index end) {
 }
 
 double WindingNumber::operator()(const Vec3& x) const {
-  constexpr double kFar2 = 2.3 * 2.3;  // distance over radius from which a group is one dipole (Barill et al.)
+  constexpr double kFar2 =
+      2.3 * 2.3;  // distance over radius from which a group is one dipole (Barill et al.)
   double sum = 0;
   for (Index n = 0; n < static_cast<Index>(nodes_.size());) {
     const Node& node = nodes_[n];

@@ -8,8 +8,8 @@
 namespace filmsticking {
 
 /// The film's area vector at each site (a third of those of its faces), zero for sites off the film. The two
-/// layers of a dangling plate have opposite vectors and cancel at the sites that both hang on, so plates leave
-/// no trace, neither in the sum nor in its direction.
+/// layers of a dangling plate have opposite vectors and cancel at the sites that both hang on, so plates
+/// leave no trace, neither in the sum nor in its direction.
 std::vector<Vec3> film_dipoles(const GuidingSurface& film, std::size_t sites);
 
 /// The winding number of dipoles (paper, section 5, W; Barill et al. 2018): sum of
