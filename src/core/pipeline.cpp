@@ -82,7 +82,7 @@ GuidingSurface Pipeline::evolve(GuidingSurface film, const std::vector<Vec3>& si
   options.round = report_.rounds;
   options.after_step = [&](const StepRecord& record, const GuidingSurface& now) {
     report_.steps.push_back(record);
-    // Half of what is left for a long evolution, step by step.
+    // How many steps there will be is not known: each takes a twentieth of what is left.
     monitor_.progress(monitor_.share() + (0.95 - monitor_.share()) * 0.05);
     show(now);
     return true;
