@@ -124,6 +124,8 @@ const char* status_name(Status status) {
       return "TooFewPoints";
     case Status::Coplanar:
       return "Coplanar";
+    case Status::InvalidInput:
+      return "InvalidInput";
     case Status::InvalidOptions:
       return "InvalidOptions";
     case Status::InvalidGuidingSurface:

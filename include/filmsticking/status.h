@@ -7,7 +7,8 @@ namespace filmsticking {
 enum class Status {
   Ok,                     ///< a closed, oriented 2-manifold was made
   TooFewPoints,           ///< fewer than four distinct finite points
-  Coplanar,               ///< all points lie on one point, line or plane
+  Coplanar,               ///< all points lie on one line or plane
+  InvalidInput,           ///< no cloud, or one that cannot be read, or indices that are not in it
   InvalidOptions,         ///< an option is out of its range
   InvalidGuidingSurface,  ///< the given guiding surface is not a closed oriented 2-manifold
   NoSurface,              ///< no closed surface through the points was found

@@ -155,6 +155,8 @@ const char* describe(Status status) noexcept {
       return "a closed surface needs at least four distinct finite points";
     case Status::Coplanar:
       return "all points lie on one plane, so they enclose no volume";
+    case Status::InvalidInput:
+      return "the input cloud or its indices cannot be used";
     case Status::InvalidOptions:
       return "an option is out of its range";
     case Status::InvalidGuidingSurface:

@@ -4,9 +4,11 @@
 #include <pcl/conversions.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>
+#include <pcl/search/kdtree.h>
 #include <pcl/surface/filmsticking_pp.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <limits>
 #include <random>
@@ -217,6 +219,82 @@ TEST(FilmstickingPP, IndicesChooseThePoints) {
   }
 }
 
+TEST(FilmstickingPP, EveryFormOfIndicesIsHonoured) {
+  const auto cloud = make_sphere<PointXYZ>(600);
+  cloud->width = 20;
+  cloud->height = 30;
+  pcl::Indices window;  // rows 5 to 19, columns 3 to 16
+  for (int row = 5; row < 20; ++row)
+    for (int column = 3; column < 17; ++column) window.push_back(20 * row + column);
+  const pcl::IndicesPtr pointer(new pcl::Indices(window));
+  const pcl::PointIndices::Ptr point_indices(new pcl::PointIndices);
+  point_indices->indices = window;
+
+  const auto run_with = [&](auto set) {
+    Class filmsticking;
+    filmsticking.setInputCloud(cloud);
+    set(filmsticking);
+    const auto surface = run(filmsticking);
+    EXPECT_EQ(surface_fault(to_mesh(surface)), "");
+    for (const int index : filmsticking.getVertexIndices())
+      EXPECT_TRUE(std::binary_search(window.begin(), window.end(), index)) << index;
+    return std::pair(filmsticking.getVertexIndices(), corners(surface.polygons));
+  };
+  const auto expected = run_with([&](Class& f) { f.setIndices(pointer); });
+  EXPECT_EQ(expected.first.size(), window.size());
+  EXPECT_EQ(run_with([&](Class& f) { f.setIndices(pcl::IndicesConstPtr(pointer)); }), expected);
+  EXPECT_EQ(run_with([&](Class& f) { f.setIndices(pcl::PointIndices::ConstPtr(point_indices)); }), expected);
+  EXPECT_EQ(run_with([&](Class& f) { f.setIndices(5, 3, 15, 14); }), expected);
+  // The last set counts.
+  EXPECT_EQ(run_with([&](Class& f) {
+              f.setIndices(pcl::IndicesPtr(new pcl::Indices{1, 2, 3, 4, 5}));
+              f.setIndices(pointer);
+            }),
+            expected);
+}
+
+TEST(FilmstickingPP, NullIndicesStandForAllPoints) {
+  const auto forget = [](auto null) {
+    Class filmsticking;
+    filmsticking.setInputCloud(make_sphere<PointXYZ>(300));
+    filmsticking.setIndices(pcl::IndicesPtr(new pcl::Indices{1, 2, 3, 4, 5}));
+    filmsticking.setIndices(null);
+    return run(filmsticking).points.size();
+  };
+  EXPECT_EQ(forget(pcl::IndicesPtr()), 300u);
+  EXPECT_EQ(forget(pcl::IndicesConstPtr()), 300u);
+  EXPECT_EQ(forget(pcl::PointIndices::ConstPtr()), 300u);
+}
+
+TEST(FilmstickingPP, AWindowOutsideTheCloudFails) {
+  const auto cloud = make_sphere<PointXYZ>(600);
+  cloud->width = 20;
+  cloud->height = 30;
+  constexpr std::size_t kHuge = std::numeric_limits<std::size_t>::max();
+  using Window = std::array<std::size_t, 4>;
+  for (const Window& w : {Window{0, 0, 31, 20}, Window{0, 0, 30, 21}, Window{16, 0, 15, 20},
+                          Window{0, kHuge, 30, 2}, Window{kHuge, 0, 2, 20}}) {
+    Class filmsticking;
+    filmsticking.setInputCloud(cloud);
+    filmsticking.setIndices(w[0], w[1], w[2], w[3]);
+    expect_failure(filmsticking, Status::InvalidInput);
+    filmsticking.setIndices(0, 0, 30, 20);
+    EXPECT_EQ(run(filmsticking).points.size(), 600u);
+  }
+  Class without_cloud;
+  without_cloud.setIndices(0, 0, 1, 1);
+  expect_failure(without_cloud, Status::InvalidInput);
+}
+
+TEST(FilmstickingPP, ACloudThatChangesIsReadAgain) {
+  const auto cloud = make_sphere<PointXYZ>(300);
+  Class filmsticking;
+  filmsticking.setInputCloud(cloud);
+  EXPECT_EQ(run(filmsticking).points.size(), 300u);
+  *cloud = *make_sphere<PointXYZ>(200);
+  EXPECT_EQ(run(filmsticking).points.size(), 200u);
+}
+
 TEST(FilmstickingPP, ANewCloudIsNotReadWithTheOldOnesIndices) {
   Class filmsticking;
   filmsticking.setInputCloud(make_sphere<PointXYZ>(600));
@@ -274,7 +352,7 @@ TEST(FilmstickingPP, NotFiniteAndRepeatedPointsAreLeftOut) {
 
 TEST(FilmstickingPP, NoInputCloudFails) {
   Class filmsticking;
-  expect_failure(filmsticking, Status::TooFewPoints);
+  expect_failure(filmsticking, Status::InvalidInput);
 }
 
 TEST(FilmstickingPP, AnEmptyCloudFails) {
@@ -312,13 +390,33 @@ TEST(FilmstickingPP, CoplanarPointsFail) {
   expect_failure(filmsticking, Status::Coplanar);
 }
 
+TEST(FilmstickingPP, CoplanarPointsFailHoweverTheyAreTurned) {
+  pcl::PointCloud<PointXYZ>::Ptr cloud(new pcl::PointCloud<PointXYZ>);
+  const Eigen::Quaternionf turn = Eigen::Quaternionf(1, 2, 3, 4).normalized();
+  for (int i = 0; i < 400; ++i) {
+    const Eigen::Vector3f p = turn * Eigen::Vector3f(0.1f * (i % 20), 0.3f * (i / 20), 0);
+    cloud->push_back(PointXYZ(p.x(), p.y(), p.z()));
+  }
+  Class filmsticking;
+  filmsticking.setInputCloud(cloud);
+  expect_failure(filmsticking, Status::Coplanar);
+}
+
+TEST(FilmstickingPP, CollinearPointsFail) {
+  pcl::PointCloud<PointXYZ>::Ptr cloud(new pcl::PointCloud<PointXYZ>);
+  for (int i = 0; i < 100; ++i) cloud->push_back(PointXYZ(1, 2, 0.1f * i));
+  Class filmsticking;
+  filmsticking.setInputCloud(cloud);
+  expect_failure(filmsticking, Status::Coplanar);
+}
+
 TEST(FilmstickingPP, IndicesOutsideTheCloudFail) {
   for (const int wrong : {300, -1, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()}) {
     pcl::IndicesPtr indices(new pcl::Indices{0, 1, 2, 3, 4, wrong});
     Class filmsticking;
     filmsticking.setInputCloud(make_sphere<PointXYZ>(300));
     filmsticking.setIndices(indices);
-    expect_failure(filmsticking, Status::InvalidOptions);
+    expect_failure(filmsticking, Status::InvalidInput);
   }
 }
 
@@ -359,6 +457,74 @@ TEST(FilmstickingPP, ResultDependsOnTheInputAlone) {
     EXPECT_EQ(corners(surface.polygons), corners(expected.polygons));
     EXPECT_EQ(object->getVertexIndices(), first.getVertexIndices());
   }
+}
+
+TEST(FilmstickingPP, AUsedObjectDoesAsANewOne) {
+  const auto bunny = load_bunny();
+  pcl::FilmstickingPP<PointNormal> fresh, used;
+  fresh.setInputCloud(bunny);
+  const auto expected = run(fresh);
+  used.setInputCloud(make_sphere<PointNormal>(700));
+  used.setIndices(pcl::IndicesPtr(new pcl::Indices{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  run(used);
+  used.setIndices(pcl::IndicesPtr());
+  run(used);
+  used.setInputCloud(bunny);
+  for (int turn = 0; turn < 2; ++turn) {
+    const auto surface = run(used);
+    EXPECT_EQ(corners(surface.polygons), corners(expected.polygons));
+    EXPECT_EQ(used.getVertexIndices(), fresh.getVertexIndices());
+  }
+}
+
+TEST(FilmstickingPP, ObjectsRunInParallelThreads) {
+  const auto sphere = make_sphere<PointNormal>(700);
+  const auto bunny = load_bunny();
+  constexpr int kThreads = 4;
+  // Copies of one object that ran before: nothing of it may be shared.
+  pcl::FilmstickingPP<PointNormal> original;
+  original.setInputCloud(sphere);
+  const auto sphere_alone = run(original);
+  std::vector<pcl::FilmstickingPP<PointNormal>> objects(kThreads, original);
+  for (int k = 0; k < kThreads; k += 2) objects[k].setInputCloud(bunny);
+  std::vector<Surface<PointNormal>> surfaces(kThreads);
+  std::vector<std::thread> threads;
+  for (int k = 0; k < kThreads; ++k)
+    threads.emplace_back([&, k] { objects[k].reconstruct(surfaces[k].points, surfaces[k].polygons); });
+  for (std::thread& thread : threads) thread.join();
+  original.setInputCloud(bunny);
+  const auto bunny_alone = run(original);
+  for (int k = 0; k < kThreads; ++k) {
+    EXPECT_EQ(objects[k].getStatus(), Status::Ok) << objects[k].getStatusMessage();
+    EXPECT_EQ(corners(surfaces[k].polygons), corners((k % 2 ? sphere_alone : bunny_alone).polygons)) << k;
+  }
+}
+
+TEST(FilmstickingPP, ASearchMethodIsKeptAndChangesNothing) {
+  const auto bunny = load_bunny();
+  pcl::FilmstickingPP<PointNormal> without, with;
+  without.setInputCloud(bunny);
+  with.setInputCloud(bunny);
+  const pcl::search::KdTree<PointNormal>::Ptr tree(new pcl::search::KdTree<PointNormal>);
+  const auto searched = make_sphere<PointNormal>(50);
+  tree->setInputCloud(searched);
+  with.setSearchMethod(tree);
+  EXPECT_EQ(corners(run(with).polygons), corners(run(without).polygons));
+  EXPECT_EQ(with.getSearchMethod(), tree);
+  EXPECT_EQ(tree->getInputCloud(), searched);  // the caller's tree is left as it is
+}
+
+TEST(FilmstickingPP, NormalsAreKeptAndNotRead) {
+  const auto bunny = load_bunny();
+  const pcl::PointCloud<PointNormal>::Ptr wrong(new pcl::PointCloud<PointNormal>(*bunny));
+  for (std::size_t i = 0; i < wrong->size(); ++i) {
+    (*wrong)[i].getNormalVector3fMap() *= i % 2 ? -1 : 0;
+    if (i % 5 == 0) (*wrong)[i].normal_x = kNan;
+  }
+  pcl::FilmstickingPP<PointNormal> first, second;
+  first.setInputCloud(bunny);
+  second.setInputCloud(wrong);
+  EXPECT_EQ(corners(run(first).polygons), corners(run(second).polygons));
 }
 
 TEST(FilmstickingPP, ProgressNeverFalls) {

@@ -30,6 +30,13 @@ TEST(OwnPointType, KeepsItsFields) {
   ASSERT_EQ(points.size(), 100u);
   for (std::size_t k = 0; k < points.size(); ++k)
     EXPECT_EQ(points[k].hit, 1000 + filmsticking.getVertexIndices()[k]);
+
+  pcl::PolygonMesh mesh;
+  filmsticking.reconstruct(mesh);
+  pcl::PointCloud<LabelledHit> in_mesh;
+  pcl::fromPCLPointCloud2(mesh.cloud, in_mesh);
+  ASSERT_EQ(in_mesh.size(), 100u);
+  for (std::size_t k = 0; k < in_mesh.size(); ++k) EXPECT_EQ(in_mesh[k].hit, points[k].hit);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <pcl/PCLPointCloud2.h>
 #include <pcl/PolygonMesh.h>
 #include <pcl/surface/reconstruction.h>
 
@@ -21,7 +22,8 @@ namespace pcl {
  *
  * Every vertex of the result is a point of the input, copied with all its fields; getVertexIndices() says
  * which. The surface is closed, 2-manifold and wound counter-clockwise seen from outside. Points with a
- * coordinate that is not finite and repeated points are left out. No parameter has to be set:
+ * coordinate that is not finite and repeated points are left out. Normals are copied like any other field
+ * and not read. No parameter has to be set:
  *
  * \code
  * pcl::FilmstickingPP<pcl::PointXYZ> filmsticking;
@@ -32,11 +34,16 @@ namespace pcl {
  * \endcode
  *
  * reconstruct() never throws: it answers any input with a mesh, or with an empty one, a status and one
- * line of PCL_ERROR. The same input gives the same mesh for any number of threads. A search method, if one
- * is set, is not used.
+ * line of PCL_ERROR. Fewer than four distinct points, and points on one line or plane, enclose nothing and
+ * are refused. The same input gives the same mesh for any number of threads, in a new object as in one that
+ * was used before, and different objects may run in different threads at once. The method needs no
+ * neighbour search of the input: a search method, if one is set, is kept and not used.
  *
- * Method: Wang et al., "Filmsticking++", arXiv 2602.11433. For a point type of your own, include
- * pcl/surface/impl/filmsticking_pp.hpp.
+ * In place of pcl::GreedyProjectionTriangulation or pcl::Poisson, through pcl::PCLSurfaceBase, only the
+ * constructor changes. Unlike the former's, the mesh has a cloud of its vertices only.
+ *
+ * Method: Wang et al., "Filmsticking++", arXiv 2602.11433. For a point type of your own, define
+ * PCL_NO_PRECOMPILE before the first include, or include pcl/surface/impl/filmsticking_pp.hpp.
  *
  * \ingroup surface
  */
@@ -58,6 +65,8 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   using Report = filmsticking::Report;
   using ProgressCallback = std::function<void(double share, const char* room)>;
 
+  using PointIndicesConstPtr = pcl::PointIndices::ConstPtr;
+
   using SurfaceReconstruction<PointInT>::input_;
   using SurfaceReconstruction<PointInT>::indices_;
 
@@ -67,8 +76,44 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   /** \brief Destructor. */
   ~FilmstickingPP() override = default;
 
+  /** \brief Set the input cloud; one set by setInputBlob() is forgotten.
+   * \param[in] cloud the points, with or without normals, organized or not, dense or not
+   */
+  void setInputCloud(const PointCloudConstPtr& cloud) override;
+
+  /** \brief Set the input as a blob, to keep fields that \a PointInT does not have.
+   *
+   * reconstruct(pcl::PolygonMesh&) then copies the bytes of every vertex and the layout of the fields from
+   * the blob. For all else, such as getInputCloud(), the blob is converted as by pcl::fromPCLPointCloud2().
+   * \param[in] blob points with fields x, y and z of type FLOAT32; another kind is refused by reconstruct()
+   */
+  void setInputBlob(const pcl::PCLPointCloud2::ConstPtr& blob);
+
+  /** \brief Get the input set by setInputBlob(); null if the input was set otherwise. */
+  pcl::PCLPointCloud2::ConstPtr getInputBlob() const { return blob_; }
+
+  /** \brief Set the points to use; null stands for all points. */
+  void setIndices(const pcl::IndicesPtr& indices) override;
+
+  /** \brief Set the points to use; null stands for all points. The indices are copied. */
+  void setIndices(const pcl::IndicesConstPtr& indices) override;
+
+  /** \brief Set the points to use; null stands for all points. The indices are copied. */
+  void setIndices(const PointIndicesConstPtr& indices) override;
+
+  /** \brief Use a window of an organized cloud. A window that is not in the cloud is refused by
+   * reconstruct(). The input cloud has to be set before.
+   * \param[in] row_start first row
+   * \param[in] col_start first column
+   * \param[in] nb_rows number of rows
+   * \param[in] nb_cols number of columns
+   */
+  void setIndices(std::size_t row_start, std::size_t col_start, std::size_t nb_rows,
+                  std::size_t nb_cols) override;
+
   /** \brief Reconstruct the surface through the points given by setInputCloud() and setIndices().
-   * \param[out] output the triangles, and a cloud with their vertices only; empty on failure
+   * \param[out] output the triangles, and a cloud with their vertices only, unorganized and dense; empty on
+   * failure. The headers are the input's.
    */
   void reconstruct(pcl::PolygonMesh& output) override;
 
@@ -180,6 +225,8 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
 
  protected:
   using SurfaceReconstruction<PointInT>::check_tree_;
+  using SurfaceReconstruction<PointInT>::fake_indices_;
+  using SurfaceReconstruction<PointInT>::use_indices_;
   using SurfaceReconstruction<PointInT>::initCompute;
   using SurfaceReconstruction<PointInT>::deinitCompute;
 
@@ -207,11 +254,18 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   template <typename Compute>
   void guarded(Compute compute) noexcept;
 
+  /** \brief Use the whole cloud from now on. */
+  void useAllPoints();
+
   /** \brief Prepare the indices; false, with the status set, if the input cannot be used. */
   bool checkInput();
 
   /** \brief Set a failure and report it by PCL_ERROR. */
   void fail(Status status, const std::string& message);
+
+  pcl::PCLPointCloud2::ConstPtr blob_;
+  std::string blob_fault_;     // why the blob cannot be read; empty: it can, or there is none
+  std::string indices_fault_;  // why a window was refused; empty: it was not
 
   Options options_;
   ProgressCallback progress_callback_;

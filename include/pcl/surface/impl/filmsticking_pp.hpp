@@ -10,9 +10,68 @@
 #include <exception>
 #include <new>
 #include <pcl/impl/pcl_base.hpp>
+#include <pcl/surface/impl/filmsticking_pp_blob.hpp>
 #include <utility>
 
 #include "filmsticking/reconstruct.h"
+
+template <typename PointInT>
+void pcl::FilmstickingPP<PointInT>::setInputCloud(const PointCloudConstPtr& cloud) {
+  blob_.reset();
+  blob_fault_.clear();
+  SurfaceReconstruction<PointInT>::setInputCloud(cloud);
+}
+
+template <typename PointInT>
+void pcl::FilmstickingPP<PointInT>::setInputBlob(const pcl::PCLPointCloud2::ConstPtr& blob) {
+  setInputCloud(nullptr);
+  blob_ = blob;
+  if (!blob) return;
+  blob_fault_ = detail::blobFault(*blob);
+  if (!blob_fault_.empty()) return;
+  PointCloudPtr cloud(new PointCloud);
+  cloud->header = blob->header;
+  if (!blob->data.empty()) pcl::fromPCLPointCloud2(*blob, *cloud);
+  input_ = cloud;
+}
+
+template <typename PointInT>
+void pcl::FilmstickingPP<PointInT>::useAllPoints() {
+  indices_.reset();
+  fake_indices_ = use_indices_ = false;
+  indices_fault_.clear();
+}
+
+template <typename PointInT>
+void pcl::FilmstickingPP<PointInT>::setIndices(const pcl::IndicesPtr& indices) {
+  useAllPoints();
+  if (indices) SurfaceReconstruction<PointInT>::setIndices(indices);
+}
+
+template <typename PointInT>
+void pcl::FilmstickingPP<PointInT>::setIndices(const pcl::IndicesConstPtr& indices) {
+  useAllPoints();
+  if (indices) SurfaceReconstruction<PointInT>::setIndices(indices);
+}
+
+template <typename PointInT>
+void pcl::FilmstickingPP<PointInT>::setIndices(const PointIndicesConstPtr& indices) {
+  useAllPoints();
+  if (indices) SurfaceReconstruction<PointInT>::setIndices(indices);
+}
+
+template <typename PointInT>
+void pcl::FilmstickingPP<PointInT>::setIndices(std::size_t row_start, std::size_t col_start,
+                                               std::size_t nb_rows, std::size_t nb_cols) {
+  useAllPoints();
+  const std::size_t height = input_ ? input_->height : 0, width = input_ ? input_->width : 0;
+  // No sums here: they could wrap around.
+  if (nb_rows > height || row_start > height - nb_rows || nb_cols > width || col_start > width - nb_cols)
+    indices_fault_ = "the window of indices is not in the cloud of " + std::to_string(height) + " rows and " +
+                     std::to_string(width) + " columns";
+  else
+    SurfaceReconstruction<PointInT>::setIndices(row_start, col_start, nb_rows, nb_cols);
+}
 
 template <typename PointInT>
 void pcl::FilmstickingPP<PointInT>::reconstruct(pcl::PolygonMesh& output) {
@@ -47,7 +106,10 @@ void pcl::FilmstickingPP<PointInT>::performReconstruction(pcl::PolygonMesh& outp
   pcl::PointCloud<PointInT> points;
   performReconstruction(points, output.polygons);
   output.header = points.header;
-  pcl::toPCLPointCloud2(points, output.cloud);
+  if (blob_)
+    detail::copyPoints(*blob_, vertex_indices_, output.cloud);
+  else
+    pcl::toPCLPointCloud2(points, output.cloud);
 }
 
 template <typename PointInT>
@@ -124,20 +186,26 @@ void pcl::FilmstickingPP<PointInT>::guarded(Compute compute) noexcept {
 
 template <typename PointInT>
 bool pcl::FilmstickingPP<PointInT>::checkInput() {
-  if (!input_) {
-    fail(Status::TooFewPoints, "no input cloud is set");
+  const auto refuse = [this](const std::string& message) {
+    fail(Status::InvalidInput, message);
     return false;
-  }
-  if (!initCompute()) {
+  };
+  if (!blob_fault_.empty()) return refuse(blob_fault_);
+  if (!input_) return refuse("no input cloud is set");
+  // The blob is the caller's; it may have changed since it was set.
+  if (blob_ && (!detail::blobFault(*blob_).empty() ||
+                static_cast<std::size_t>(blob_->width) * blob_->height != input_->size()))
+    return refuse("the blob changed after it was set");
+  if (!indices_fault_.empty()) return refuse(indices_fault_);
+  if (fake_indices_) indices_.reset();  // a copy of this object has the same ones, maybe in another thread
+  if (!initCompute() || (fake_indices_ && indices_->size() != input_->size())) {
     fail(Status::OutOfMemory, filmsticking::describe(Status::OutOfMemory));
     return false;
   }
   for (const pcl::index_t index : *indices_)
-    if (index < 0 || static_cast<std::size_t>(index) >= input_->size()) {
-      fail(Status::InvalidOptions, "index " + std::to_string(index) + " is not in the cloud of " +
-                                       std::to_string(input_->size()) + " points");
-      return false;
-    }
+    if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
+      return refuse("index " + std::to_string(index) + " is not in the cloud of " +
+                    std::to_string(input_->size()) + " points");
   return true;
 }
 

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What pcl::FilmstickingPP does with a cloud whose fields are known at run time only.
+#pragma once
+
+#include <pcl/PCLPointCloud2.h>
+#include <pcl/PCLPointField.h>
+#include <pcl/common/io.h>
+#include <pcl/types.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace pcl {
+namespace detail {
+
+/** \brief Why \a blob cannot be read as a cloud with x, y and z; empty if it can.
+ *
+ * pcl::fromPCLPointCloud2() trusts the sizes that a blob tells; after this check it may.
+ */
+inline std::string blobFault(const pcl::PCLPointCloud2& blob) {
+  for (const char* name : {"x", "y", "z"})
+    if (std::none_of(blob.fields.begin(), blob.fields.end(), [name](const pcl::PCLPointField& field) {
+          return field.name == name && field.datatype == pcl::PCLPointField::FLOAT32 && field.count <= 1;
+        }))
+      return std::string("the blob has no field ") + name + " of type FLOAT32";
+  for (const pcl::PCLPointField& field : blob.fields) {
+    const std::uint64_t bytes = static_cast<std::uint64_t>(std::max(0, pcl::getFieldSize(field.datatype))) *
+                                std::max(1u, field.count);
+    if (field.offset + bytes > blob.point_step)
+      return "the field " + field.name + " of the blob is not within a point's " +
+             std::to_string(blob.point_step) + " bytes";
+  }
+  const std::uint64_t row = static_cast<std::uint64_t>(blob.width) * blob.point_step;
+  if (blob.height > 0 && blob.row_step < row) return "the rows of the blob are shorter than their points";
+  if (static_cast<std::uint64_t>(blob.row_step) * blob.height != blob.data.size())
+    return "the blob has " + std::to_string(blob.data.size()) + " bytes where its header tells " +
+           std::to_string(static_cast<std::uint64_t>(blob.row_step) * blob.height);
+  return {};
+}
+
+/** \brief Copy points with all their bytes.
+ * \param[in] blob the points, without a blobFault()
+ * \param[in] indices which points to copy, all in \a blob
+ * \param[out] output the points in the order of \a indices, unorganized and dense
+ */
+inline void copyPoints(const pcl::PCLPointCloud2& blob, const pcl::Indices& indices,
+                       pcl::PCLPointCloud2& output) {
+  output.header = blob.header;
+  output.fields = blob.fields;
+  output.is_bigendian = blob.is_bigendian;
+  output.is_dense = true;
+  output.height = 1;
+  output.width = static_cast<pcl::uindex_t>(indices.size());
+  output.point_step = blob.point_step;
+  output.row_step = output.width * output.point_step;
+  output.data.resize(static_cast<std::size_t>(output.width) * output.point_step);
+  std::uint8_t* to = output.data.data();
+  for (const pcl::index_t index : indices) {
+    const std::size_t row = index / blob.width, column = index % blob.width;
+    const std::uint8_t* from = blob.data.data() + row * blob.row_step + column * blob.point_step;
+    to = std::copy_n(from, blob.point_step, to);
+  }
+}
+
+}  // namespace detail
+}  // namespace pcl
