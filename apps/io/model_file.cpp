@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model_file.h"
 
+#include <algorithm>
+#include <initializer_list>
+
 #include "files.h"
 #include "io_error.h"
 #include "obj.h"
@@ -11,35 +14,43 @@
 #include "xyz.h"
 
 namespace filmsticking::io {
-Model read_cloud(const std::string& path) {
-  const std::string bytes = read_file(path);
+namespace {
+
+using Extensions = std::initializer_list<const char*>;
+
+Model read(const std::string& path, Extensions known) {
   const std::string extension = extension_of(path);
-  const auto decode = [&] {
-    if (extension == ".pcd") return decode_pcd(bytes);
-    if (extension == ".ply") return decode_ply(bytes);
-    if (extension == ".obj") return decode_obj(bytes);
-    if (extension == ".stl") return decode_stl(bytes);
-    if (extension == ".xyz" || extension == ".txt") return decode_xyz(bytes);
-    throw IoError("its extension is none of .pcd .ply .obj .stl .xyz .txt");
-  };
-  Model model = decode();
+  check_readable(path);
+  if (std::find(known.begin(), known.end(), extension) == known.end()) {
+    std::string names;
+    for (const char* name : known) names += std::string(" ") + name;
+    throw IoError("its extension is none of" + names);
+  }
+  if (extension == ".vtk") return read_vtk(path);
+  const std::string bytes = read_file(path);
+  if (extension == ".pcd") return decode_pcd(bytes);
+  if (extension == ".ply") return decode_ply(bytes);
+  if (extension == ".obj") return decode_obj(bytes);
+  if (extension == ".stl") return decode_stl(bytes);
+  return decode_xyz(bytes);
+}
+
+}  // namespace
+
+Model read_cloud(const std::string& path) {
+  Model model = read(path, {".pcd", ".ply", ".obj", ".stl", ".xyz", ".txt"});
   if (model.positions.empty()) throw IoError("there are no points in it");
   return model;
 }
 
 Model read_mesh(const std::string& path) {
-  check_readable(path);
-  const std::string extension = extension_of(path);
-  const auto read = [&] {
-    if (extension == ".ply") return decode_ply(read_file(path));
-    if (extension == ".obj") return decode_obj(read_file(path));
-    if (extension == ".stl") return decode_stl(read_file(path));
-    if (extension == ".vtk") return read_vtk(path);
-    throw IoError("its extension is none of .ply .obj .stl .vtk");
-  };
-  Model model = read();
+  Model model = read(path, {".ply", ".obj", ".stl", ".vtk"});
   if (model.triangles.empty()) throw IoError("there are no triangles in it");
   return model;
+}
+
+Model read_model(const std::string& path) {
+  return read(path, {".pcd", ".ply", ".obj", ".stl", ".vtk", ".xyz", ".txt"});
 }
 
 bool can_write_model(const std::string& path) {

@@ -16,6 +16,10 @@ Model read_cloud(const std::string& path);
 /// refused. Throws IoError.
 Model read_mesh(const std::string& path);
 
+/// Reads whatever is there, points or a mesh or nothing, from a file that read_cloud() or read_mesh() takes.
+/// Throws IoError.
+Model read_model(const std::string& path);
+
 /// Whether write_model() knows the path's extension: .ply, .obj, .stl or .vtk.
 bool can_write_model(const std::string& path);
 

@@ -9,22 +9,14 @@
 #include "io/files.h"
 #include "io/io_error.h"
 #include "io/model_file.h"
+#include "io/with_file.h"
 #include "scene.h"
 
 using namespace filmsticking;
 using namespace filmsticking::app;
+using io::with_file;
 
 namespace {
-
-/// Runs `use` on a file and puts its name before what goes wrong with it.
-template <typename Use>
-auto with_file(const std::string& path, Use use) {
-  try {
-    return use();
-  } catch (const io::IoError& error) {
-    throw io::IoError(path + ": " + error.what());
-  }
-}
 
 void run(const CommandLine& command) {
   const char* display = std::getenv("DISPLAY");

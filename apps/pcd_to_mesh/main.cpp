@@ -15,12 +15,14 @@
 #include "io/files.h"
 #include "io/io_error.h"
 #include "io/model_file.h"
+#include "io/with_file.h"
 #include "progress_bar.h"
 #include "report_json.h"
 
 namespace fs = std::filesystem;
 using namespace filmsticking;
 using namespace filmsticking::app;
+using io::with_file;
 
 namespace {
 
@@ -35,18 +37,6 @@ void stop_on_signal() {
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-}
-
-/// Runs `use` on a file and puts its name before what goes wrong with it.
-template <typename Use>
-auto with_file(const std::string& path, Use use) {
-  try {
-    return use();
-  } catch (const io::IoError& error) {
-    throw io::IoError(path + ": " + error.what());
-  } catch (const fs::filesystem_error& error) {
-    throw io::IoError(path + ": " + error.code().message());
-  }
 }
 
 /// Refuses outputs that could not be written, before the work.

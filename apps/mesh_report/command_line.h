@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+#include "truth_fit.h"
+
+namespace filmsticking::app {
+
+/// What the user asked mesh_report for.
+struct CommandLine {
+  std::string mesh;
+  std::string truth;   ///< empty: none
+  std::string points;  ///< empty: none
+  std::size_t samples = mesh_report::kDefaultSamples;
+  bool json = false;
+  bool help = false;
+};
+
+/// A command line that makes no sense; what() is a sentence for the user.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws UsageError.
+CommandLine parse_command_line(int argc, const char* const* argv);
+
+/// The text of --help.
+std::string usage();
+
+}  // namespace filmsticking::app

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// mesh_report: what there is to say about a mesh.
+#include <cstdio>
+#include <new>
+
+#include "command_line.h"
+#include "io/io_error.h"
+#include "io/model_file.h"
+#include "io/with_file.h"
+#include "report.h"
+
+using namespace filmsticking;
+using namespace filmsticking::app;
+using io::with_file;
+
+namespace {
+
+void run(const CommandLine& command) {
+  // All files before the work: a broken one is known at once.
+  const mesh_report::Surface mesh =
+      mesh_report::make_surface(with_file(command.mesh, [&] { return io::read_model(command.mesh); }));
+  std::vector<Point> points;
+  if (!command.points.empty())
+    points = with_file(command.points, [&] { return io::read_cloud(command.points); }).positions;
+  mesh_report::Surface truth;
+  if (!command.truth.empty())
+    truth = mesh_report::make_surface(with_file(command.truth, [&] { return io::read_mesh(command.truth); }));
+
+  mesh_report::Report report = mesh_report::report_on(mesh);
+  if (!command.points.empty()) report.cloud = mesh_report::cloud_fit(mesh, points);
+  if (!command.truth.empty())
+    report.truth = mesh_report::truth_fit(mesh, report.topology, truth, command.samples);
+  std::fputs((command.json ? to_json(report) : to_text(report)).c_str(), stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const CommandLine command = parse_command_line(argc, argv);
+    if (command.help) {
+      std::fputs(usage().c_str(), stdout);
+    } else {
+      run(command);
+    }
+    return 0;
+  } catch (const UsageError& error) {
+    std::fprintf(stderr, "mesh_report: %s.\n", error.what());
+    return 2;
+  } catch (const std::bad_alloc&) {
+    std::fputs("mesh_report: the memory does not suffice.\n", stderr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "mesh_report: %s.\n", error.what());
+  }
+  return 1;
+}

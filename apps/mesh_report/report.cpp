@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report.h"
+
+#include "extent.h"
+#include "self_intersections.h"
+
+namespace filmsticking::mesh_report {
+
+Report report_on(const Surface& mesh) {
+  Report report;
+  report.vertices = static_cast<std::int64_t>(mesh.positions.size());
+  report.faces = static_cast<std::int64_t>(mesh.triangles.size());
+  report.topology = topology(mesh);
+  report.self_intersections = self_intersections(mesh);
+  report.area = area(mesh);
+  if (report.topology.closed && report.topology.oriented) report.volume = signed_volume(mesh);
+  report.outward = report.volume && *report.volume > 0;
+  return report;
+}
+
+TruthFit truth_fit(const Surface& mesh, const Topology& mesh_topology, const Surface& truth,
+                   std::size_t samples) {
+  TruthFit fit;
+  fit.distances = truth_distances(mesh, truth, samples);
+  const Topology truth_topology = topology(truth);
+  fit.genus_right = mesh_topology.genus && mesh_topology.genus == truth_topology.genus;
+  fit.components_right = mesh_topology.components == truth_topology.components;
+  return fit;
+}
+
+}  // namespace filmsticking::mesh_report

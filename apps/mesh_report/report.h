@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "cloud_fit.h"
+#include "topology.h"
+#include "truth_fit.h"
+
+namespace filmsticking::mesh_report {
+
+/// A mesh against the true surface.
+struct TruthFit {
+  std::optional<TruthDistances> distances;
+  bool genus_right = false;  ///< both have a genus, and it is the same
+  bool components_right = false;
+  bool topology_right() const { return genus_right && components_right; }
+};
+
+/// What there is to say about a mesh.
+struct Report {
+  std::int64_t vertices = 0, faces = 0;
+  Topology topology;
+  std::int64_t self_intersections = 0;
+  double area = 0;               ///< in the mesh's unit squared
+  std::optional<double> volume;  ///< in the mesh's unit cubed; only of a closed, oriented mesh
+  bool outward = false;          ///< closed, oriented, and the volume is positive
+  std::optional<CloudFit> cloud;
+  std::optional<TruthFit> truth;
+};
+
+/// Of the mesh alone.
+Report report_on(const Surface& mesh);
+
+TruthFit truth_fit(const Surface& mesh, const Topology& topology, const Surface& truth, std::size_t samples);
+
+/// A table for people.
+std::string to_text(const Report& report);
+
+/// One JSON object, its members flat; what there is not is null. Members of the cloud and of the truth only
+/// with these.
+std::string to_json(const Report& report);
+
+}  // namespace filmsticking::mesh_report

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "filmsticking/types.h"
+#include "io/model.h"
+
+namespace filmsticking::mesh_report {
+
+using Vec3 = Eigen::Vector3d;
+
+/// The faces of a model as they are judged. Vertices at the very same place are one, so that formats which
+/// repeat corners (STL) lose nothing; every vertex has a face, and no face repeats a vertex.
+struct Surface {
+  std::vector<Vec3> positions;
+  std::vector<Triangle> triangles;
+
+  const Vec3& corner(std::size_t triangle, int k) const { return positions[triangles[triangle][k]]; }
+  /// Twice the area, along the normal.
+  Vec3 area_vector2(std::size_t triangle) const;
+};
+
+/// Leaves out faces that repeat a vertex or have a corner that is not usable(). Keeps the order of faces.
+Surface make_surface(const io::Model& model);
+
+/// Finite, and small enough that squares and their sums are too.
+bool usable(const Point& p);
+
+/// A box's way to the unit box: moves its centre to the origin and makes its longest side 1.
+struct Frame {
+  Vec3 centre = Vec3::Zero();
+  double side = 1;  ///< longest side; 0 for a single point
+  double diagonal = 0;
+
+  Vec3 to_unit(const Vec3& p) const { return (p - centre) / (side > 0 ? side : 1); }
+  Surface to_unit(Surface surface) const;
+};
+
+/// Of the points' box.
+Frame frame_of(const std::vector<Vec3>& points);
+
+}  // namespace filmsticking::mesh_report

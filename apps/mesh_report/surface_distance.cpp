@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface_distance.h"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Simple_cartesian.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+namespace filmsticking::mesh_report {
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Triangles = std::vector<Kernel::Triangle_3>;
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+
+Kernel::Point_3 cgal_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+
+}  // namespace
+
+struct SurfaceDistance::Tree {
+  Triangles triangles;
+  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> boxes;
+};
+
+SurfaceDistance::SurfaceDistance(const Surface& surface) : tree_(new Tree) {
+  Triangles& triangles = tree_->triangles;
+  triangles.reserve(surface.triangles.size());
+  for (std::size_t f = 0; f < surface.triangles.size(); ++f)
+    triangles.emplace_back(cgal_point(surface.corner(f, 0)), cgal_point(surface.corner(f, 1)),
+                           cgal_point(surface.corner(f, 2)));
+  tree_->boxes.insert(triangles.cbegin(), triangles.cend());
+  tree_->boxes.build();
+  // Not left to the first query: queries come from several threads.
+  tree_->boxes.accelerate_distance_queries();
+}
+
+SurfaceDistance::~SurfaceDistance() = default;
+
+std::vector<Nearest> SurfaceDistance::from(const std::vector<Vec3>& points) const {
+  std::vector<Nearest> nearest(points.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 256), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      const Kernel::Point_3 p = cgal_point(points[i]);
+      const auto hit = tree_->boxes.closest_point_and_primitive(p);
+      nearest[i] = {std::sqrt(CGAL::squared_distance(p, hit.first)),
+                    static_cast<std::size_t>(hit.second - tree_->triangles.cbegin())};
+    }
+  });
+  return nearest;
+}
+
+}  // namespace filmsticking::mesh_report
