@@ -27,7 +27,12 @@ po::options_description visible_options() {
       "up", po::value<std::string>()->value_name("y|z"), "the upright axis; default y")(
       "edges", "draw the edges of the triangles")("columns", po::value<int>()->value_name("N"),
                                                   "pictures in a row; default up to 4")(
-      "labels", "write the file's name under every mesh")("help", "print this text");
+      "labels", "write the file's name under every mesh")(
+      "label", po::value<std::vector<std::string>>()->value_name("TEXT"),
+      "write a text under a mesh; once for every mesh, in their order")(
+      "fit", po::value<std::string>()->value_name("all|row|each"),
+      "what shares one scale and middle: all meshes (default), those of a row, or none")("help",
+                                                                                         "print this text");
   return options;
 }
 
@@ -69,6 +74,10 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   if (given.count("points")) command.points = given["points"].as<std::string>();
   command.labels = given.count("labels") > 0;
 
+  if (given.count("label")) command.captions = given["label"].as<std::vector<std::string>>();
+  if (!command.captions.empty() && command.captions.size() != command.meshes.size())
+    throw UsageError("--label is needed once for every mesh, or not at all");
+
   View& view = command.view;
   const int panels = static_cast<int>(command.meshes.size());
   view.edges = given.count("edges") > 0;
@@ -94,6 +103,11 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     if (up != "y" && up != "z") throw UsageError("--up takes y or z");
     view.z_up = up == "z";
   }
+  if (given.count("fit")) {
+    const std::string fit = given["fit"].as<std::string>();
+    if (fit != "all" && fit != "row" && fit != "each") throw UsageError("--fit takes all, row or each");
+    view.fit = fit == "all" ? Fit::All : fit == "row" ? Fit::Row : Fit::Each;
+  }
   return command;
 }
 
@@ -102,7 +116,9 @@ std::string usage() {
   text << "usage: mesh_snapshot MESH.. -o OUT.png [options]\n\n"
           "Draws meshes (.ply .obj .stl .vtk) side by side, all from the same view. Front faces are light, "
           "back\n"
-          "faces and the edges of holes red, edges with more than two faces violet. It needs an X display:\n"
+          "faces and the edges of holes red, edges with more than two faces violet. A MESH \"-\" leaves its "
+          "place\n"
+          "empty. It needs an X display:\n"
           "on a machine without one run it as  xvfb-run -a mesh_snapshot ..\n\n"
        << visible_options();
   return text.str();

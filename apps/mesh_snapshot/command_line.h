@@ -9,12 +9,16 @@
 
 namespace filmsticking::app {
 
+/// Stands for a mesh that there is not.
+constexpr char kNoMesh[] = "-";
+
 /// What the user asked mesh_snapshot for.
 struct CommandLine {
-  std::vector<std::string> meshes;
-  std::string points;  ///< cloud to draw over every mesh; empty: none
+  std::vector<std::string> meshes;  ///< kNoMesh: an empty panel
+  std::string points;               ///< cloud to draw over every mesh; empty: none
   std::string output;
-  bool labels = false;
+  bool labels = false;                ///< the names of the files
+  std::vector<std::string> captions;  ///< texts instead, one a mesh; empty: none
   View view;
   bool help = false;
 };

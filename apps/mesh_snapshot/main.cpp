@@ -25,8 +25,10 @@ void run(const CommandLine& command) {
   with_file(command.output, [&] { io::check_writable(command.output); });
   std::vector<Panel> panels;
   for (const std::string& path : command.meshes) {
-    Panel panel{with_file(path, [&] { return io::read_mesh(path); }), ""};
+    Panel panel;
+    if (path != kNoMesh) panel.mesh = with_file(path, [&] { return io::read_mesh(path); });
     if (command.labels) panel.label = std::filesystem::path(path).filename().string();
+    if (!command.captions.empty()) panel.label = command.captions[panels.size()];
     panels.push_back(std::move(panel));
   }
   std::vector<Point> points;

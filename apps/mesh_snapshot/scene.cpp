@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "io/vtk_polydata.h"
 
@@ -58,7 +59,9 @@ struct Extent {
   Point low, high;
 };
 
-Extent measure(const std::vector<Panel>& panels, const std::vector<Point>& points, const Frame& frame) {
+/// Of the panels from `first` to before `last`, and of the points.
+Extent measure(const std::vector<Panel>& panels, std::size_t first, std::size_t last,
+               const std::vector<Point>& points, const Frame& frame) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Extent extent{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
   const auto take = [&](const std::vector<Point>& positions) {
@@ -71,7 +74,7 @@ Extent measure(const std::vector<Panel>& panels, const std::vector<Point>& point
       }
     }
   };
-  for (const Panel& panel : panels) take(panel.mesh.positions);
+  for (std::size_t i = first; i < last; ++i) take(panels[i].mesh.positions);
   take(points);
   if (!(extent.low[0] <= extent.high[0])) return {{0, 0, 0}, {1, 1, 1}};
   return extent;
@@ -157,6 +160,30 @@ vtkSmartPointer<vtkTextActor> make_label(const std::string& text) {
   return label;
 }
 
+/// Looks along the frame at the extent's middle, which to_frame() makes the origin.
+vtkSmartPointer<vtkCamera> make_camera(const Extent& extent, double aspect, double margin) {
+  const double half_width = (extent.high[0] - extent.low[0]) / 2,
+               half_height = (extent.high[1] - extent.low[1]) / 2;
+  const double depth =
+      std::max((extent.high[2] - extent.low[2]) / 2, std::max(half_width, half_height)) * kMargin;
+  auto camera = vtkSmartPointer<vtkCamera>::New();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(std::max({half_height, half_width / aspect, 1e-30}) * margin);
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetPosition(0, 0, 2 * depth);
+  camera->SetViewUp(0, 1, 0);
+  camera->SetClippingRange(0.5 * depth, 3.5 * depth);
+  return camera;
+}
+
+/// The panels whose extent the panel's view is fitted to: from the first to before the second.
+std::pair<std::size_t, std::size_t> fitted_with(std::size_t panel, std::size_t panels, const View& view) {
+  const auto columns = static_cast<std::size_t>(view.columns), row = panel / columns * columns;
+  if (view.fit == Fit::Each) return {panel, panel + 1};
+  if (view.fit == Fit::Row) return {row, std::min(row + columns, panels)};
+  return {0, panels};
+}
+
 std::string to_png(vtkRenderWindow* window) {
   vtkNew<vtkWindowToImageFilter> image;
   image->SetInput(window);
@@ -175,28 +202,11 @@ std::string to_png(vtkRenderWindow* window) {
 
 std::string render_png(const std::vector<Panel>& panels, const std::vector<Point>& points, const View& view) {
   const Frame frame = make_frame(view);
-  const Extent extent = measure(panels, points, frame);
-  std::vector<Point> cloud;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(cloud), is_finite);
-  to_frame(cloud, frame, extent);
-
   const int rows = (static_cast<int>(panels.size()) + view.columns - 1) / view.columns;
   const double aspect =
       (static_cast<double>(view.width) / view.columns) / (static_cast<double>(view.height) / rows);
   const bool labels =
       std::any_of(panels.begin(), panels.end(), [](const Panel& p) { return !p.label.empty(); });
-  const double half_width = (extent.high[0] - extent.low[0]) / 2,
-               half_height = (extent.high[1] - extent.low[1]) / 2;
-  const double depth =
-      std::max((extent.high[2] - extent.low[2]) / 2, std::max(half_width, half_height)) * kMargin;
-  vtkNew<vtkCamera> camera;
-  camera->ParallelProjectionOn();
-  camera->SetParallelScale(std::max({half_height, half_width / aspect, 1e-30}) *
-                           (labels ? kLabelMargin : kMargin));
-  camera->SetFocalPoint(0, 0, 0);
-  camera->SetPosition(0, 0, 2 * depth);
-  camera->SetViewUp(0, 1, 0);
-  camera->SetClippingRange(0.5 * depth, 3.5 * depth);
 
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();  // lines and points on the surface stay in sight
   vtkNew<vtkRenderWindow> window;
@@ -210,7 +220,9 @@ std::string render_png(const std::vector<Panel>& panels, const std::vector<Point
                           static_cast<double>(column + 1) / view.columns,
                           1 - static_cast<double>(row) / rows);
     renderer->SetBackground(1, 1, 1);
-    renderer->SetActiveCamera(camera);
+    const auto [first, last] = fitted_with(i, panels.size(), view);
+    const Extent extent = measure(panels, first, last, points, frame);
+    renderer->SetActiveCamera(make_camera(extent, aspect, labels ? kLabelMargin : kMargin));
     vtkNew<vtkLightKit> lights;
     lights->SetKeyLightAngle(40, -25);
     lights->SetKeyLightIntensity(0.82);
@@ -224,6 +236,9 @@ std::string render_png(const std::vector<Panel>& panels, const std::vector<Point
     renderer->AddActor(make_surface(surface, view.edges));
     renderer->AddActor(make_lines(surface, true, kHole));
     renderer->AddActor(make_lines(surface, false, kSurplus));
+    std::vector<Point> cloud;
+    std::copy_if(points.begin(), points.end(), std::back_inserter(cloud), is_finite);
+    to_frame(cloud, frame, extent);
     if (!cloud.empty()) renderer->AddActor(make_points(cloud));
     if (!panels[i].label.empty()) renderer->AddActor(make_label(panels[i].label));
     window->AddRenderer(renderer);

@@ -10,8 +10,15 @@ namespace filmsticking::app {
 
 /// One mesh of the picture.
 struct Panel {
-  io::Model mesh;
+  io::Model mesh;     ///< without triangles: the panel stays empty
   std::string label;  ///< written under it; empty: none
+};
+
+/// What shares one scale and one middle.
+enum class Fit {
+  All,   ///< all panels
+  Row,   ///< the panels of a row
+  Each,  ///< nothing: every mesh fills its panel
 };
 
 /// How the meshes are looked at; the same for all.
@@ -23,6 +30,7 @@ struct View {
   double elevation = 20;  ///< degrees above the horizon
   bool z_up = false;      ///< the upright axis is z, else y
   bool edges = false;     ///< draw the edges of the triangles
+  Fit fit = Fit::All;
 };
 
 /// Draws the panels, each with `points` over it, and returns the bytes of a PNG file. Needs an X display.

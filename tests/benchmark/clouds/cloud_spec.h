@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace filmsticking::bench {
+
+enum class Sampling {
+  MonteCarlo,    ///< uniform by area
+  PoissonDisk,   ///< blue noise by sample elimination
+  MixedDensity,  ///< blue noise, Monte Carlo and sparse regular in thirds
+};
+
+/// The name on the command line; never null.
+const char* name_of(Sampling sampling);
+
+/// Throws std::invalid_argument, whose what() tells the names that there are.
+Sampling sampling_of(const std::string& name);
+
+/// How a cloud is made from a mesh. The same values give the same points.
+struct CloudSpec {
+  Sampling sampling = Sampling::MonteCarlo;
+  std::int64_t points = 10000;  ///< in all, outliers included; at least 1
+  std::uint64_t seed = 1;
+  double noise = 0;     ///< standard deviation along each axis, as a share of the diagonal of the mesh's box
+  double outliers = 0;  ///< share of the points that are uniform in that box instead, 0 to 1
+  double missing = 0;   ///< share of the surface that is not sampled, in round patches, 0 to 0.9
+
+  /// Like "monte-carlo", followed by what disturbs it, like "monte-carlo noise 0.005".
+  std::string kind() const;
+};
+
+}  // namespace filmsticking::bench

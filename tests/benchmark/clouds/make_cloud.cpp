@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "make_cloud.h"
+
+#include <set>
+#include <stdexcept>
+
+#include "mixed_density.h"
+#include "sample_elimination.h"
+#include "surface_sampler.h"
+
+namespace filmsticking::bench {
+namespace {
+
+constexpr std::int64_t kMostPoints = 100'000'000;
+
+void check(const CloudSpec& spec) {
+  if (spec.points < 1 || spec.points > kMostPoints)
+    throw std::invalid_argument("a cloud has from 1 to " + std::to_string(kMostPoints) + " points");
+  if (!(spec.noise >= 0 && spec.noise <= 1)) throw std::invalid_argument("the noise is a share from 0 to 1");
+  if (!(spec.outliers >= 0 && spec.outliers <= 1))
+    throw std::invalid_argument("the outliers are a share from 0 to 1");
+  if (!(spec.missing >= 0 && spec.missing <= 0.9))
+    throw std::invalid_argument("the missing surface is a share from 0 to 0.9");
+}
+
+std::vector<Sample> draw_samples(const SurfaceSampler& surface, Sampling sampling, std::size_t count,
+                                 Random& random) {
+  if (count == 0) return {};
+  if (sampling == Sampling::MixedDensity) return sample_mixed_density(surface, count, random);
+  const bool blue = sampling == Sampling::PoissonDisk;
+  std::vector<Sample> samples(blue ? kCandidatesPerSample * count : count);
+  for (Sample& sample : samples) sample = surface.draw(random);
+  return blue ? eliminate_samples(samples, count, surface.area(), surface.low()) : samples;
+}
+
+/// What a file of floats keeps.
+Point rounded(const Vec3& p) {
+  return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+}
+
+}  // namespace
+
+std::vector<Point> make_cloud(const Mesh& mesh, const CloudSpec& spec) {
+  check(spec);
+  SurfaceSampler surface(mesh);
+  Random random(spec.seed);
+  surface.take_patches_away(spec.missing, random);
+  const auto outliers = static_cast<std::size_t>(spec.outliers * static_cast<double>(spec.points) + 0.5);
+  const auto total = static_cast<std::size_t>(spec.points);
+  const std::vector<Sample> samples = draw_samples(surface, spec.sampling, total - outliers, random);
+
+  const double sigma = spec.noise * surface.diagonal();
+  const auto placed = [&](Vec3 p) {
+    if (sigma > 0)
+      for (int k = 0; k < 3; ++k) p[k] += sigma * random.gauss();
+    return rounded(p);
+  };
+  std::vector<Point> points;
+  points.reserve(total);
+  std::set<Point> seen;
+  for (const Sample& sample : samples) {
+    Point p = placed(sample.position);
+    // A mesh far from the origin has few floats: in the end a repeated point is better than no end.
+    for (int i = 0; i < 100 && seen.count(p) > 0; ++i) p = placed(surface.draw(random).position);
+    seen.insert(p);
+    points.push_back(p);
+  }
+  while (points.size() < total) {
+    Vec3 p;
+    for (int k = 0; k < 3; ++k)
+      p[k] = surface.low()[k] + random.uniform() * (surface.high()[k] - surface.low()[k]);
+    points.push_back(rounded(p));
+  }
+  random.shuffle(points);
+  return points;
+}
+
+}  // namespace filmsticking::bench

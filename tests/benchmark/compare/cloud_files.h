@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "clouds/cloud_spec.h"
+#include "input.h"
+#include "row.h"
+
+namespace filmsticking::bench {
+
+/// A cloud on the disk, ready for the methods.
+struct CloudFiles {
+  std::string cloud;
+  std::string truth;  ///< the mesh that it was drawn from; empty: not known
+  Row row;            ///< the columns that say which cloud it is
+};
+
+/// Samples a mesh or a shape as `spec` says. A file without faces is a cloud already: its finite points are
+/// taken as they are, or a random choice where it has more than `spec.points` and `thin_clouds` is set.
+/// Writes into `folder`. Throws std::runtime_error.
+CloudFiles prepare_cloud(const Input& input, const CloudSpec& spec, bool thin_clouds,
+                         const std::string& folder);
+
+/// The columns of `prepare_cloud` for a mesh or a shape, without the work.
+Row cloud_row(const Input& input, const CloudSpec& spec);
+
+}  // namespace filmsticking::bench

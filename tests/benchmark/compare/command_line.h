@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "child_process.h"
+#include "clouds/cloud_spec.h"
+
+namespace filmsticking::bench {
+
+/// What the user asked compare for.
+struct CommandLine {
+  enum class Mode { Help, Quality, Speed, Sheet, Sample };
+  Mode mode = Mode::Help;
+  std::vector<std::string> inputs;
+  std::vector<std::string> methods;  ///< empty: those of the mode
+  std::vector<Sampling> samplings;
+  std::vector<std::int64_t> points;
+  std::vector<std::uint64_t> seeds;
+  std::vector<double> noise, outliers, missing;
+
+  int threads = 0;
+  int jobs = 1;
+  int runs = 3;
+  Limits limits;
+  std::string csv, markdown;  ///< empty: no such file; the Markdown then goes to the standard output
+  bool fresh = false;
+  bool by_shape = false;
+  std::string peer;
+  std::string keep;  ///< folder for the clouds and meshes; empty: they go
+
+  std::string output;    ///< the picture, or the cloud
+  std::string view, up;  ///< handed on to mesh_snapshot
+};
+
+/// A command line that makes no sense; what() is a sentence for the user.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws UsageError, and std::runtime_error for a list file that cannot be read.
+CommandLine parse_command_line(int argc, const char* const* argv);
+
+/// The text of --help.
+std::string usage();
+
+}  // namespace filmsticking::bench

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// compare: FilmstickingPP and its peers on the same clouds.
+#include <cstdio>
+#include <new>
+
+#include "command_line.h"
+#include "programs.h"
+#include "quality.h"
+#include "sample.h"
+#include "sheet.h"
+#include "speed.h"
+
+using namespace filmsticking::bench;
+
+namespace {
+
+void help() {
+  std::fputs(usage().c_str(), stdout);
+  std::puts("\nMethods:");
+  for (const auto& [name, entry] : find_methods())
+    std::printf("  %-22s %s\n", name.c_str(), entry.description.c_str());
+}
+
+void run(const CommandLine& command) {
+  switch (command.mode) {
+    case CommandLine::Mode::Help:
+      return help();
+    case CommandLine::Mode::Quality:
+      return compare_quality(command);
+    case CommandLine::Mode::Speed:
+      return compare_speed(command);
+    case CommandLine::Mode::Sheet:
+      return draw_sheet(command);
+    case CommandLine::Mode::Sample:
+      return write_sample(command);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    run(parse_command_line(argc, argv));
+    return 0;
+  } catch (const UsageError& error) {
+    std::fprintf(stderr, "compare: %s.\n", error.what());
+    return 2;
+  } catch (const std::bad_alloc&) {
+    std::fputs("compare: the memory does not suffice.\n", stderr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "compare: %s.\n", error.what());
+  }
+  return 1;
+}

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure.h"
+
+#include <boost/property_tree/json_parser.hpp>
+#include <cstring>
+#include <locale>
+#include <sstream>
+
+namespace pt = boost::property_tree;
+
+namespace filmsticking::bench {
+namespace {
+
+constexpr int kOutOfMemory = 3;          // exit code of run_method
+constexpr double kReportSeconds = 3600;  // nothing that mesh_report is given should take it that long
+
+/// The last line that is not empty.
+std::string last_line(const std::string& text) {
+  const std::size_t end = text.find_last_not_of(" \r\n");
+  if (end == std::string::npos) return "";
+  const std::size_t before = text.find_last_of('\n', end);
+  return text.substr(before == std::string::npos ? 0 : before + 1,
+                     end - (before == std::string::npos ? 0 : before + 1) + 1);
+}
+
+/// Of the last line. Throws pt::ptree_error.
+pt::ptree read_json(const std::string& text) {
+  std::istringstream stream(last_line(text));
+  pt::ptree tree;
+  pt::read_json(stream, tree);
+  return tree;
+}
+
+/// The status of a run that brought no mesh.
+void set_failure(Row& row, const ChildEnd& end, const Limits& limits) {
+  const std::string said = last_line(end.err);
+  if (end.timed_out) {
+    row.set("status", "time limit");
+    row.set("message", "killed after " + to_text(limits.seconds) + " s");
+  } else if (end.code == kOutOfMemory || end.err.find("bad_alloc") != std::string::npos) {
+    row.set("status", "out of memory");
+    row.set("message", said);
+  } else if (end.signal != 0) {
+    row.set("status", "crashed");
+    row.set("message", std::string(strsignal(end.signal)) + (said.empty() ? "" : ": " + said));
+  } else {
+    row.set("status", "failed");
+    row.set("message", said.empty() ? "exit code " + std::to_string(end.code) : said);
+  }
+}
+
+void set_timings(Row& row, const pt::ptree& json) {
+  for (const char* column : {"seconds", "seconds_with_needs", "cpu_seconds", "memory_mb"})
+    row.set(column, json.get<std::string>(column));
+  const double taken = json.get<double>("memory_mb") - json.get<double>("memory_before_mb");
+  row.set("bytes_per_point",
+          std::to_string(static_cast<long long>(1e6 * taken / json.get<double>("points"))));
+  std::string rooms;
+  for (const auto& [room, seconds] : json.get_child("rooms"))
+    rooms += (rooms.empty() ? "" : ";") + room + "=" + seconds.get_value<std::string>();
+  row.set("rooms", rooms);
+}
+
+void set_judgement(Row& row, const CloudFiles& files, const std::string& mesh) {
+  std::vector<std::string> command = {sibling_program("mesh_report"), mesh, "--points", files.cloud,
+                                      "--json"};
+  if (!files.truth.empty()) command.insert(command.end(), {"--truth", files.truth});
+  const ChildEnd end = run_child(command, {kReportSeconds, 0});
+  const std::string text = end.out;
+  if (end.code != 0) {
+    row.set("status", "not judged");
+    row.set("message", "mesh_report: " + last_line(end.err));
+    return;
+  }
+  pt::ptree json;
+  std::istringstream stream(text);
+  pt::read_json(stream, json);
+  for (const char* column : {"vertices",
+                             "faces",
+                             "interpolated",
+                             "cloud_distance_mean",
+                             "closed",
+                             "manifold",
+                             "oriented",
+                             "outward",
+                             "boundary_edges",
+                             "non_manifold_edges",
+                             "non_manifold_vertices",
+                             "self_intersections",
+                             "components",
+                             "genus",
+                             "components_right",
+                             "genus_right",
+                             "topology_right",
+                             "chamfer_e3",
+                             "f_score",
+                             "normal_consistency",
+                             "hausdorff"}) {
+    const std::string value = json.get<std::string>(column, "");
+    row.set(column, value == "null" ? "" : value);
+  }
+}
+
+}  // namespace
+
+Row planned_row(const Row& cloud, const std::string& method, const Measurement& measurement) {
+  Row row = cloud;
+  row.set("method", method);
+  row.set("threads", measurement.threads > 0 ? std::to_string(measurement.threads) : "all");
+  row.set("run", std::to_string(measurement.run));
+  return row;
+}
+
+Row measure(const CloudFiles& files, const std::string& method, const MethodEntry& entry,
+            const std::string& mesh, const Measurement& measurement) {
+  Row row = planned_row(files.row, method, measurement);
+  row.set("timing", measurement.timing_fit ? "fit" : "unfit");
+  const ChildEnd end =
+      run_child({entry.program, method, files.cloud, mesh, std::to_string(measurement.threads)},
+                measurement.limits, measurement.threads);
+  if (end.timed_out || end.signal != 0 || end.code != 0) {
+    set_failure(row, end, measurement.limits);
+    return row;
+  }
+  row.set("status", "ok");
+  try {
+    set_timings(row, read_json(end.out));
+    if (measurement.judge && entry.makes_mesh) set_judgement(row, files, mesh);
+  } catch (const pt::ptree_error& error) {
+    row.set("status", "not judged");
+    row.set("message", error.what());
+  }
+  return row;
+}
+
+}  // namespace filmsticking::bench

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace filmsticking::bench {
+
+/// The columns of the table in their order; the README tells what each means. The first say what was run and
+/// no two rows have them alike.
+const std::vector<std::string>& columns();
+constexpr std::size_t kKeyColumns = 7;
+
+/// One run of one method on one cloud: texts by column; an empty text stands for what is not known.
+class Row {
+ public:
+  void set(const std::string& column, const std::string& text);
+  void set(const std::string& column, double value);
+  const std::string& text(const std::string& column) const;
+  std::optional<double> number(const std::string& column) const;  ///< nothing where it is not a number
+  bool is(const std::string& column, const std::string& text) const { return this->text(column) == text; }
+  bool ended_well() const { return is("status", "ok"); }
+
+  /// What the row is a result of.
+  std::string key() const;
+
+ private:
+  std::map<std::string, std::string> texts_;
+};
+
+/// A number in the fewest digits that read back as the same.
+std::string to_text(double value);
+
+}  // namespace filmsticking::bench

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Methods that go wrong in the ways that compare must stand.
+#pragma once
+
+#include <vector>
+
+#include "method.h"
+
+namespace filmsticking::bench {
+
+Outcome run_fault_crash(const std::vector<Point>& points, int threads);
+Outcome run_fault_hang(const std::vector<Point>& points, int threads);
+Outcome run_fault_throw(const std::vector<Point>& points, int threads);
+Outcome run_fault_memory(const std::vector<Point>& points, int threads);
+
+}  // namespace filmsticking::bench

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "faults.h"
+#include "method.h"
+#include "peers.h"
+
+namespace filmsticking::bench {
+
+const std::vector<Method>& methods() {
+  static const std::vector<Method> all = {
+      {"ours", "FilmstickingPP with its defaults", true, run_ours},
+      {"ours-paper", "FilmstickingPP with the paper's own pipeline", true, run_ours_paper},
+      {"cgal-advancing-front", "CGAL Advancing_front_surface_reconstruction", true, run_cgal_advancing_front},
+      {"cgal-alpha-wrap", "CGAL alpha_wrap_3: alpha 4 spacings, offset alpha / 30", true,
+       run_cgal_alpha_wrap},
+      {"cgal-scale-space", "CGAL Scale_space_surface_reconstruction_3: 4 smoothing steps", true,
+       run_cgal_scale_space},
+      {"pcl-gp3", "PCL GreedyProjectionTriangulation with oriented normals", true, run_pcl_gp3},
+      {"pcl-poisson", "PCL Poisson with oriented normals", true, run_pcl_poisson},
+      {"delaunay", "CGAL Delaunay_triangulation_3 of the points, one thread, no mesh", false, run_delaunay},
+      {"fault-crash", "ends by a signal (for the tests)", true, run_fault_crash},
+      {"fault-hang", "never ends (for the tests)", true, run_fault_hang},
+      {"fault-throw", "throws (for the tests)", true, run_fault_throw},
+      {"fault-memory", "takes memory without end (for the tests)", true, run_fault_memory},
+  };
+  return all;
+}
+
+}  // namespace filmsticking::bench

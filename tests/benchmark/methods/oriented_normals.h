@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "filmsticking/types.h"
+
+namespace filmsticking::bench {
+
+/// Unit normals by principal components of the 18 nearest points, oriented alike along a minimum spanning
+/// tree, outward at the highest point (CGAL pca_estimate_normals and mst_orient_normals). Where the tree does
+/// not reach, a normal stays as it was estimated.
+std::vector<Point> oriented_normals(const std::vector<Point>& points);
+
+/// The depth of a Poisson octree whose cells are about half as wide as the cloud's spacing: 8 for 10,000
+/// points, 10 for 100,000, 11 for 1,000,000.
+int poisson_depth(std::size_t points);
+
+}  // namespace filmsticking::bench

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <stdexcept>
+
+#include "filmsticking/reconstruct.h"
+#include "peers.h"
+
+namespace filmsticking::bench {
+namespace {
+
+Outcome run(const std::vector<Point>& points, Options options, int threads) {
+  options.threads = threads;
+  Stopwatch watch;
+  Result result = reconstruct(points, options);
+  Outcome outcome;
+  outcome.seconds = watch.lap();
+  if (result.status != Status::Ok)
+    throw std::runtime_error(result.message.empty() ? describe(result.status) : result.message);
+  outcome.rooms = std::move(result.report.rooms);
+  outcome.mesh.triangles = std::move(result.triangles);
+  for (const std::int32_t i : result.vertices) outcome.mesh.positions.push_back(points[i]);
+  return outcome;
+}
+
+}  // namespace
+
+Outcome run_ours(const std::vector<Point>& points, int threads) { return run(points, Options(), threads); }
+
+Outcome run_ours_paper(const std::vector<Point>& points, int threads) {
+  return run(points, Options::paper(), threads);
+}
+
+}  // namespace filmsticking::bench
