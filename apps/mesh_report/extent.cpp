@@ -3,18 +3,19 @@
 
 namespace filmsticking::mesh_report {
 
-double area(const Surface& surface) {
-  double sum = 0;
-  for (std::size_t f = 0; f < surface.triangles.size(); ++f) sum += surface.area_vector2(f).norm();
-  return sum / 2;
-}
-
-double signed_volume(const Surface& surface) {
-  double sum = 0;
-  // Seen from a vertex: from a far origin the terms would swamp their sum.
-  for (std::size_t f = 0; f < surface.triangles.size(); ++f)
-    sum += surface.area_vector2(f).dot(surface.corner(f, 0) - surface.positions[0]);
-  return sum / 6;
+Extent extent(const Surface& surface) {
+  // In the unit box: products neither overflow nor vanish, and a far origin does not swamp the volume.
+  const Frame frame = frame_of(surface.positions);
+  const Surface unit = frame.to_unit(surface);
+  Extent result;
+  for (std::size_t f = 0; f < unit.triangles.size(); ++f) {
+    const Vec3 area_vector2 = unit.area_vector2(f);
+    result.area += area_vector2.norm() / 2;
+    result.signed_volume += area_vector2.dot(unit.corner(f, 0)) / 6;
+  }
+  result.area *= frame.side * frame.side;
+  result.signed_volume *= frame.side * frame.side * frame.side;
+  return result;
 }
 
 }  // namespace filmsticking::mesh_report

@@ -5,11 +5,14 @@
 
 namespace filmsticking::mesh_report {
 
-/// The sum of the faces' areas.
-double area(const Surface& surface);
+/// How large a surface is.
+struct Extent {
+  double area = 0;
+  /// What a closed, oriented surface encloses; negative if it winds inward. Cavities that wind inward, as
+  /// they should, are taken off. Without meaning for others.
+  double signed_volume = 0;
+};
 
-/// What a closed, oriented surface encloses; negative if it winds inward. Cavities that wind inward, as they
-/// should, are taken off.
-double signed_volume(const Surface& surface);
+Extent extent(const Surface& surface);
 
 }  // namespace filmsticking::mesh_report

@@ -12,8 +12,9 @@ Report report_on(const Surface& mesh) {
   report.faces = static_cast<std::int64_t>(mesh.triangles.size());
   report.topology = topology(mesh);
   report.self_intersections = self_intersections(mesh);
-  report.area = area(mesh);
-  if (report.topology.closed && report.topology.oriented) report.volume = signed_volume(mesh);
+  const Extent size = extent(mesh);
+  report.area = size.area;
+  if (report.topology.closed && report.topology.oriented) report.volume = size.signed_volume;
   report.outward = report.volume && *report.volume > 0;
   return report;
 }
