@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "filmsticking/export.h"
 #include "filmsticking/types.h"
 
 namespace filmsticking {
@@ -61,7 +62,7 @@ struct Options {
   /// The paper's pipeline: sphere, 1000 virtual sites, weights, one Poisson round, nothing inserted. One
   /// thing differs: the virtual sites join at the first stall, since from the start they pull the film
   /// through the shape.
-  static Options paper();
+  FILMSTICKING_EXPORT static Options paper();
 };
 
 }  // namespace filmsticking

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "filmsticking/execution.h"
+#include "filmsticking/export.h"
 #include "filmsticking/options.h"
 #include "filmsticking/report.h"
 #include "filmsticking/status.h"
@@ -35,7 +36,7 @@ struct Result {
 ///
 /// `points`: any number, any order, in any unit; NaN, infinite and repeated points are skipped.
 /// Needs about 2 KB of memory a point.
-Result reconstruct(const std::vector<Point>& points, const Options& options = {},
+FILMSTICKING_EXPORT Result reconstruct(const std::vector<Point>& points, const Options& options = {},
                    const Execution& execution = {}) noexcept;
 
 }  // namespace filmsticking

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "filmsticking/export.h"
+
 namespace filmsticking {
 
 /// How a reconstruction ended. Everything but `Ok` comes with an empty mesh.
@@ -18,6 +20,6 @@ enum class Status {
 };
 
 /// One lower-case sentence without a full stop; never null.
-const char* describe(Status status) noexcept;
+FILMSTICKING_EXPORT const char* describe(Status status) noexcept;
 
 }  // namespace filmsticking
