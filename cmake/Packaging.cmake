@@ -7,14 +7,15 @@ if(TARGET filmsticking_pcl)
   list(APPEND components pcl)
 endif()
 
+get_property(pc_lz4 GLOBAL PROPERTY FILMSTICKING_LZ4_FLAGS)
 foreach(component ${components})
   install(TARGETS filmsticking_${component} EXPORT FilmstickingPP_${component}
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries NAMELINK_COMPONENT development
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
   install(EXPORT FilmstickingPP_${component} DESTINATION ${config_dir} COMPONENT development
     NAMESPACE filmsticking:: FILE FilmstickingPP_${component}.cmake)
-  file(RELATIVE_PATH pc_to_prefix
-    /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)  # from the folder of the .pc file
+  file(RELATIVE_PATH pc_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)  # from the folder of the .pc file
+  string(REGEX REPLACE "/$" "" pc_to_prefix ${pc_to_prefix})
   configure_file(cmake/filmsticking_${component}.pc.in filmsticking_${component}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/filmsticking_${component}.pc
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
