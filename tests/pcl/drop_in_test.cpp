@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A program that meshes through pcl::PCLSurfaceBase: only the constructor changes.
 #include <gtest/gtest.h>
-#include <pcl/conversions.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>
 #include <pcl/search/kdtree.h>
@@ -10,6 +9,7 @@
 #include <pcl/surface/poisson.h>
 
 #include "clouds.h"
+#include "mesh.h"
 #include "support/surface_check.h"
 
 namespace filmsticking::test {
@@ -24,16 +24,6 @@ pcl::PolygonMesh make_mesh(const Base::Ptr& method, const pcl::PointCloud<PointN
   method->setInputCloud(cloud);
   pcl::PolygonMesh mesh;
   method->reconstruct(mesh);
-  return mesh;
-}
-
-Mesh to_mesh(const pcl::PolygonMesh& polygon_mesh) {
-  pcl::PointCloud<pcl::PointXYZ> points;
-  pcl::fromPCLPointCloud2(polygon_mesh.cloud, points);
-  Mesh mesh;
-  for (const pcl::PointXYZ& p : points) mesh.positions.push_back({p.x, p.y, p.z});
-  for (const pcl::Vertices& polygon : polygon_mesh.polygons)
-    mesh.triangles.push_back({polygon.vertices[0], polygon.vertices[1], polygon.vertices[2]});
   return mesh;
 }
 
