@@ -31,14 +31,16 @@ enum class RingChoice {
 
 /// Everything that can be chosen. The defaults need no tuning; `paper()` runs the paper's own pipeline.
 struct Options {
-  InitialSurface initial_surface = InitialSurface::Carve;
-  FieldMethod field = FieldMethod::Sculpt;
-  RingChoice ring = RingChoice::Smooth;
+  InitialSurface initial_surface = InitialSurface::Carve;  ///< where the film starts
+  FieldMethod field = FieldMethod::Sculpt;                 ///< what corrects the film's topology
+  RingChoice ring = RingChoice::Smooth;                    ///< which region of several a site keeps
 
-  /// Virtual sites (paper, section 4.3): how many (0: none), or kAdaptiveVirtualSites for one per local
-  /// scale. They join when the film from a sphere, a wrap or a given surface stalls, where it has not
-  /// reached; a carved film needs none.
+  /// For `virtual_sites`: one per local scale.
   static constexpr int kAdaptiveVirtualSites = -1;
+
+  /// Virtual sites (paper, section 4.3): how many (0: none), or kAdaptiveVirtualSites. They join when the
+  /// film from a sphere, a wrap or a given surface stalls, where it has not reached; a carved film needs
+  /// none.
   int virtual_sites = kAdaptiveVirtualSites;
 
   /// Attract stalled sites by weights (restricted power diagram); false: Voronoi only.

@@ -17,11 +17,11 @@ namespace filmsticking {
 
 /// The outcome of reconstruct().
 struct Result {
-  Status status = Status::InternalError;
-  std::string message;                 ///< one sentence about a failure; empty when `status` is Ok
-  std::vector<std::int32_t> vertices;  ///< vertex k is input point vertices[k]; strictly increasing
-  std::vector<Triangle> triangles;     ///< indices into `vertices`, counter-clockwise seen from outside
-  Report report;
+  Status status = Status::InternalError;  ///< how it ended
+  std::string message;                    ///< one sentence about a failure; empty when `status` is Ok
+  std::vector<std::int32_t> vertices;     ///< vertex k is input point vertices[k]; strictly increasing
+  std::vector<Triangle> triangles;        ///< indices into `vertices`, counter-clockwise seen from outside
+  Report report;                          ///< what was done, also after a failure
 };
 
 /// Reconstructs a surface through `points` by Filmsticking++ (Wang et al., arXiv 2602.11433).
@@ -37,6 +37,6 @@ struct Result {
 /// `points`: any number, any order, in any unit; NaN, infinite and repeated points are skipped.
 /// Needs about 2 KB of memory a point.
 FILMSTICKING_EXPORT Result reconstruct(const std::vector<Point>& points, const Options& options = {},
-                   const Execution& execution = {}) noexcept;
+                                       const Execution& execution = {}) noexcept;
 
 }  // namespace filmsticking

@@ -20,25 +20,25 @@ struct StepRecord {
 
 /// Wall time spent in one room of the pipeline.
 struct RoomSeconds {
-  std::string room;
-  double seconds = 0;
+  std::string room;    ///< its name, as a progress callback is told it
+  double seconds = 0;  ///< in all visits together
 };
 
 /// What a reconstruction did; filled as far as it got, whatever the status.
 struct Report {
-  std::int64_t points = 0;        ///< points handed in
-  std::int64_t sites = 0;         ///< distinct finite points
-  std::int64_t non_finite = 0;    ///< points left out because a coordinate is NaN or infinite
-  std::int64_t duplicates = 0;    ///< points left out because an equal one came before
-  std::int64_t interpolated = 0;  ///< sites that are vertices of the result
-  std::int64_t inserted = 0;      ///< of these, put in by splitting faces after the last film step
-  std::int64_t triangles = 0;
-  std::int64_t components = 0;
-  std::int64_t genus = 0;  ///< sum over the components
-  int rounds = 0;          ///< rounds of field and film
-  bool closed = false;     ///< checked on the result: every edge has two faces
-  bool manifold = false;   ///< checked on the result: closed, oriented, every vertex has one ring
-  std::vector<StepRecord> steps;
+  std::int64_t points = 0;         ///< points handed in
+  std::int64_t sites = 0;          ///< distinct finite points
+  std::int64_t non_finite = 0;     ///< points left out because a coordinate is NaN or infinite
+  std::int64_t duplicates = 0;     ///< points left out because an equal one came before
+  std::int64_t interpolated = 0;   ///< sites that are vertices of the result
+  std::int64_t inserted = 0;       ///< of these, put in by splitting faces after the last film step
+  std::int64_t triangles = 0;      ///< of the result
+  std::int64_t components = 0;     ///< connected pieces of the result
+  std::int64_t genus = 0;          ///< sum over the components
+  int rounds = 0;                  ///< rounds of field and film
+  bool closed = false;             ///< checked on the result: every edge has two faces
+  bool manifold = false;           ///< checked on the result: closed, oriented, every vertex has one ring
+  std::vector<StepRecord> steps;   ///< one a film step, in order
   std::vector<RoomSeconds> rooms;  ///< in the order in which they were first entered
   double seconds = 0;              ///< wall time of the whole reconstruction
 };

@@ -16,8 +16,8 @@ using Triangle = std::array<std::int32_t, 3>;
 
 /// An indexed triangle mesh.
 struct Mesh {
-  std::vector<Point> positions;
-  std::vector<Triangle> triangles;
+  std::vector<Point> positions;     ///< of the vertices
+  std::vector<Triangle> triangles;  ///< indices into `positions`
 };
 
 }  // namespace filmsticking

@@ -50,22 +50,23 @@ namespace pcl {
 template <typename PointInT>
 class FilmstickingPP : public SurfaceReconstruction<PointInT> {
  public:
-  using Ptr = shared_ptr<FilmstickingPP<PointInT>>;
-  using ConstPtr = shared_ptr<const FilmstickingPP<PointInT>>;
+  using Ptr = shared_ptr<FilmstickingPP<PointInT>>;             ///< Shared pointer to an object.
+  using ConstPtr = shared_ptr<const FilmstickingPP<PointInT>>;  ///< Shared pointer to a constant object.
 
-  using PointCloud = pcl::PointCloud<PointInT>;
-  using PointCloudPtr = typename PointCloud::Ptr;
-  using PointCloudConstPtr = typename PointCloud::ConstPtr;
+  using PointCloud = pcl::PointCloud<PointInT>;              ///< The input's type.
+  using PointCloudPtr = typename PointCloud::Ptr;            ///< Shared pointer to a cloud.
+  using PointCloudConstPtr = typename PointCloud::ConstPtr;  ///< Shared pointer to a constant cloud.
+  using PointIndicesConstPtr = pcl::PointIndices::ConstPtr;  ///< Shared pointer to constant indices.
 
-  using InitialSurface = filmsticking::InitialSurface;
-  using FieldMethod = filmsticking::FieldMethod;
-  using RingChoice = filmsticking::RingChoice;
-  using Options = filmsticking::Options;
-  using Status = filmsticking::Status;
-  using Report = filmsticking::Report;
+  using InitialSurface = filmsticking::InitialSurface;  ///< Where the film starts.
+  using FieldMethod = filmsticking::FieldMethod;        ///< What corrects the film's topology.
+  using RingChoice = filmsticking::RingChoice;          ///< Which region of several a site keeps.
+  using Options = filmsticking::Options;                ///< All that can be chosen.
+  using Status = filmsticking::Status;                  ///< How a reconstruction ended.
+  using Report = filmsticking::Report;                  ///< What a reconstruction did.
+
+  /** \brief Told the share done, from 0 to 1, and the part of the method at work. */
   using ProgressCallback = std::function<void(double share, const char* room)>;
-
-  using PointIndicesConstPtr = pcl::PointIndices::ConstPtr;
 
   using SurfaceReconstruction<PointInT>::input_;
   using SurfaceReconstruction<PointInT>::indices_;
