@@ -19,6 +19,23 @@ using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterato
 
 Kernel::Point_3 cgal_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
+/// A face on one line becomes its longest side, there and back: of three distinct corners on a line CGAL 5.5
+/// takes any two.
+Kernel::Triangle_3 cgal_triangle(const Surface& surface, std::size_t f) {
+  constexpr double kOnOneLine = 1e-14;  // height over length
+  int longest = 0;
+  double length2 = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double side2 = (surface.corner(f, (k + 1) % 3) - surface.corner(f, k)).squaredNorm();
+    if (side2 > length2) longest = k, length2 = side2;
+  }
+  const Kernel::Point_3 a = cgal_point(surface.corner(f, longest)),
+                        b = cgal_point(surface.corner(f, (longest + 1) % 3)),
+                        c = cgal_point(surface.corner(f, (longest + 2) % 3));
+  const bool on_one_line = surface.area_vector2(f).norm() <= kOnOneLine * length2;
+  return {a, b, on_one_line ? a : c};
+}
+
 }  // namespace
 
 struct SurfaceDistance::Tree {
@@ -29,9 +46,7 @@ struct SurfaceDistance::Tree {
 SurfaceDistance::SurfaceDistance(const Surface& surface) : tree_(new Tree) {
   Triangles& triangles = tree_->triangles;
   triangles.reserve(surface.triangles.size());
-  for (std::size_t f = 0; f < surface.triangles.size(); ++f)
-    triangles.emplace_back(cgal_point(surface.corner(f, 0)), cgal_point(surface.corner(f, 1)),
-                           cgal_point(surface.corner(f, 2)));
+  for (std::size_t f = 0; f < surface.triangles.size(); ++f) triangles.push_back(cgal_triangle(surface, f));
   tree_->boxes.insert(triangles.cbegin(), triangles.cend());
   tree_->boxes.build();
   // Not left to the first query: queries come from several threads.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <boost/property_tree/json_parser.hpp>
 #include <cmath>
@@ -16,6 +17,7 @@
 #include "io/model_file.h"
 #include "mesh_report/report.h"
 #include "mesh_report/self_intersections.h"
+#include "mesh_report/surface_distance.h"
 #include "run_program.h"
 #include "scratch_folder.h"
 
@@ -375,6 +377,19 @@ TEST(TruthDistances, FacesWithoutAreaChangeNothing) {
   const TruthDistances d = distances(mesh, plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 2));
   EXPECT_NEAR(d.chamfer_e3, 10, 1e-7);
   EXPECT_NEAR(d.hausdorff, 0.01, 1e-9);
+}
+
+TEST(SurfaceDistance, AFaceOnOneLineIsItsLongestSide) {
+  std::array<std::int32_t, 3> corners{0, 1, 2};
+  do {
+    for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(-1, -2, -3), Vec3(0.1, 0.7, -0.3)}) {
+      const Surface line{{0 * axis, 1 * axis, 3 * axis}, {corners}};
+      const Vec3 aside = axis.unitOrthogonal();
+      const auto nearest = SurfaceDistance(line).from({aside, 3 * axis + aside, 2 * axis - aside, 5 * axis});
+      for (int i = 0; i < 3; ++i) EXPECT_NEAR(nearest[i].distance, 1, 1e-12);
+      EXPECT_NEAR(nearest[3].distance, 2 * axis.norm(), 1e-12);
+    }
+  } while (std::next_permutation(corners.begin(), corners.end()));
 }
 
 TEST(TruthDistances, NoneWithoutExtentOrArea) {
