@@ -33,10 +33,14 @@ std::vector<Sample> draw_samples(const SurfaceSampler& surface, Sampling samplin
   return blue ? eliminate_samples(samples, count, surface.area(), surface.low()) : samples;
 }
 
-/// What a file of floats keeps.
-Point rounded(const Vec3& p) {
-  return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+/// What a file of floats keeps. volatile: GCC 12 leaves the rounding out where it puts two such casts in one
+/// vector instruction.
+double rounded(double x) {
+  const volatile float kept = static_cast<float>(x);
+  return kept;
 }
+
+Point rounded(const Vec3& p) { return {rounded(p.x()), rounded(p.y()), rounded(p.z())}; }
 
 }  // namespace
 

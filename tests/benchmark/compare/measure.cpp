@@ -18,9 +18,9 @@ constexpr double kReportSeconds = 3600;  // nothing that mesh_report is given sh
 std::string last_line(const std::string& text) {
   const std::size_t end = text.find_last_not_of(" \r\n");
   if (end == std::string::npos) return "";
-  const std::size_t before = text.find_last_of('\n', end);
-  return text.substr(before == std::string::npos ? 0 : before + 1,
-                     end - (before == std::string::npos ? 0 : before + 1) + 1);
+  const std::size_t before = text.find_last_of('\n', end),
+                    begin = before == std::string::npos ? 0 : before + 1;
+  return text.substr(begin, end - begin + 1);
 }
 
 /// Of the last line. Throws pt::ptree_error.
@@ -66,14 +66,13 @@ void set_judgement(Row& row, const CloudFiles& files, const std::string& mesh) {
                                       "--json"};
   if (!files.truth.empty()) command.insert(command.end(), {"--truth", files.truth});
   const ChildEnd end = run_child(command, {kReportSeconds, 0});
-  const std::string text = end.out;
   if (end.code != 0) {
     row.set("status", "not judged");
     row.set("message", "mesh_report: " + last_line(end.err));
     return;
   }
   pt::ptree json;
-  std::istringstream stream(text);
+  std::istringstream stream(end.out);
   pt::read_json(stream, json);
   for (const char* column : {"vertices",
                              "faces",

@@ -9,8 +9,9 @@
 namespace filmsticking::bench {
 
 Outcome run_cgal_alpha_wrap(const std::vector<Point>& points, int) {
-  // The smallest alpha that does not fall through the gaps of random samples; the ratio of the examples.
-  constexpr double kAlphaSpacings = 4, kAlphaOverOffset = 30;
+  // The smallest alpha that does not fall through the gaps of random samples, and an offset that is no longer
+  // felt.
+  constexpr double kAlphaSpacings = 3, kAlphaOverOffset = 100;
   Outcome outcome;
   Stopwatch watch;
   const double alpha = kAlphaSpacings * mean_spacing(points);

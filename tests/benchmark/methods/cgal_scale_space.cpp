@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Scale_space_reconstruction_3/Advancing_front_mesher.h>
 #include <CGAL/Scale_space_surface_reconstruction_3.h>
 
 #include "cgal_points.h"
@@ -12,7 +13,8 @@ Outcome run_cgal_scale_space(const std::vector<Point>& points, int) {
   const std::vector<Kernel::Point_3> sites = to_cgal(points);
   CGAL::Scale_space_surface_reconstruction_3<Kernel> reconstruction(sites.begin(), sites.end());
   reconstruction.increase_scale(kSteps);
-  reconstruction.reconstruct_surface();
+  // The default mesher takes an alpha shape, which is no manifold; this is the manual's other one.
+  reconstruction.reconstruct_surface(CGAL::Scale_space_reconstruction_3::Advancing_front_mesher<Kernel>());
   Outcome outcome;
   // The surface at the original points, not at the smoothed ones: the method interpolates.
   outcome.mesh.positions = points;

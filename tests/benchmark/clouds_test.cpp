@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The clouds that the methods are compared on.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "clouds/make_cloud.h"
+#include "clouds/shapes.h"
+#include "clouds/surface_sampler.h"
+#include "support/surface_check.h"
+
+namespace filmsticking::bench {
+namespace {
+
+constexpr Sampling kSamplings[] = {Sampling::MonteCarlo, Sampling::PoissonDisk, Sampling::MixedDensity};
+
+CloudSpec spec_of(Sampling sampling, std::int64_t points, std::uint64_t seed = 1) {
+  CloudSpec spec;
+  spec.sampling = sampling;
+  spec.points = points;
+  spec.seed = seed;
+  return spec;
+}
+
+/// A box from the origin to `size`.
+Mesh make_box(const Point& size) {
+  Mesh box = make_shape("slab:1", 100);
+  for (Point& p : box.positions)
+    for (int k = 0; k < 3; ++k) p[k] = p[k] > 0 ? size[k] : 0;
+  return box;
+}
+
+double distance_to_box(const Point& p, const Point& size) {
+  double nearest = INFINITY;  // for points inside or on it
+  for (int k = 0; k < 3; ++k) nearest = std::min({nearest, std::abs(p[k]), std::abs(p[k] - size[k])});
+  return nearest;
+}
+
+double norm(const Point& p) { return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]); }
+
+double distance(const Point& a, const Point& b) { return norm({a[0] - b[0], a[1] - b[1], a[2] - b[2]}); }
+
+double least_distance(const std::vector<Point>& points) {
+  double least = INFINITY;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) least = std::min(least, distance(points[i], points[j]));
+  return least;
+}
+
+template <class Good>
+double share(const std::vector<Point>& points, const Good& good) {
+  return static_cast<double>(std::count_if(points.begin(), points.end(), good)) /
+         static_cast<double>(points.size());
+}
+
+int euler_characteristic(const Mesh& mesh) {  // of a closed mesh
+  const auto faces = static_cast<int>(mesh.triangles.size());
+  return static_cast<int>(mesh.positions.size()) - faces * 3 / 2 + faces;
+}
+
+TEST(Clouds, PointsLieOnTheSurfaceInFloatsAndNoneTwice) {
+  const Point size = {1, 0.7, 2};
+  const Mesh box = make_box(size);
+  for (const Sampling sampling : kSamplings)
+    for (const int count : {1, 7, 3000}) {
+      const std::vector<Point> points = make_cloud(box, spec_of(sampling, count));
+      ASSERT_EQ(points.size(), static_cast<std::size_t>(count)) << name_of(sampling);
+      EXPECT_EQ(std::set<Point>(points.begin(), points.end()).size(), points.size()) << name_of(sampling);
+      for (const Point& p : points) {
+        ASSERT_LT(distance_to_box(p, size), 1e-6) << name_of(sampling);
+        for (const double x : p) {
+          const volatile float single = static_cast<float>(x);
+          ASSERT_EQ(static_cast<double>(single), x);
+        }
+      }
+    }
+}
+
+TEST(Clouds, SameSeedSamePointsOtherSeedOtherPoints) {
+  const Mesh sphere = make_shape("sphere", 1);
+  for (const Sampling sampling : kSamplings) {
+    CloudSpec spec = spec_of(sampling, 500, 3);
+    spec.noise = 0.01;
+    spec.outliers = 0.1;
+    spec.missing = 0.2;
+    const std::vector<Point> points = make_cloud(sphere, spec);
+    EXPECT_EQ(points, make_cloud(sphere, spec)) << name_of(sampling);
+    spec.seed = 4;
+    EXPECT_NE(points, make_cloud(sphere, spec)) << name_of(sampling);
+  }
+}
+
+TEST(Clouds, MonteCarloIsUniformByArea) {
+  const Point size = {1, 1, 3};  // 2 of 14 on top and bottom
+  const std::vector<Point> points = make_cloud(make_box(size), spec_of(Sampling::MonteCarlo, 20000));
+  EXPECT_NEAR(share(points, [](const Point& p) { return p[2] == 0 || p[2] == 3; }), 2.0 / 14, 0.01);
+  EXPECT_NEAR(share(points, [](const Point& p) { return p[2] > 0 && p[2] < 1; }), 4.0 / 14, 0.015);
+}
+
+TEST(Clouds, PoissonDiskKeepsADistance) {
+  constexpr int kCount = 2000;
+  const Mesh sphere = make_shape("sphere", 1);
+  // The densest packing has its neighbours at 2 r with r = sqrt(area / (2 sqrt(3) n)).
+  const double densest = 2 * std::sqrt(4 * M_PI / (2 * std::sqrt(3) * kCount));
+  EXPECT_GT(least_distance(make_cloud(sphere, spec_of(Sampling::PoissonDisk, kCount))), 0.6 * densest);
+  EXPECT_LT(least_distance(make_cloud(sphere, spec_of(Sampling::MonteCarlo, kCount))), 0.1 * densest);
+}
+
+TEST(Clouds, PoissonDiskSamplesTheSidesOfAPlateForThemselves) {
+  const Point size = {1, 1, 1e-4};
+  const std::vector<Point> points = make_cloud(make_box(size), spec_of(Sampling::PoissonDisk, 2000));
+  EXPECT_NEAR(share(points, [](const Point& p) { return p[2] == 0; }), 0.5, 0.03);
+}
+
+TEST(Clouds, MixedDensityIsAsFourToTwoToOne) {
+  const Mesh box = make_box({1, 1, 3});  // areas of the thirds 5, 4, 5
+  const std::vector<Point> points = make_cloud(box, spec_of(Sampling::MixedDensity, 6600));
+  const double unit = 1.0 / (4 * 5 + 2 * 4 + 1 * 5);
+  EXPECT_NEAR(share(points, [](const Point& p) { return p[2] >= 2; }), 20 * unit, 0.02);
+  EXPECT_NEAR(share(points, [](const Point& p) { return p[2] < 2 && p[2] >= 1; }), 8 * unit, 0.02);
+  EXPECT_NEAR(share(points, [](const Point& p) { return p[2] < 1; }), 5 * unit, 0.02);
+  // 4000 on top, where they keep a distance; 1600 in the middle, where they do not.
+  std::vector<Point> top, middle;
+  for (const Point& p : points) {
+    if (p[2] >= 2) top.push_back(p);
+    if (p[2] < 2 && p[2] >= 1) middle.push_back(p);
+  }
+  const double densest = 2 * std::sqrt(5 / (2 * std::sqrt(3) * 4000));
+  // Across an edge of the box the way through the air is shorter than the one on the surface.
+  EXPECT_GT(least_distance(top), 0.4 * densest);
+  EXPECT_LT(least_distance(middle), 0.2 * densest);
+}
+
+TEST(Clouds, NoiseHasItsDeviation) {
+  CloudSpec spec = spec_of(Sampling::MonteCarlo, 20000);
+  spec.noise = 0.005;
+  const double sigma = spec.noise * 2 * std::sqrt(3.0);  // the sphere's box has sides of 2
+  double sum = 0, squares = 0;
+  for (const Point& p : make_cloud(make_shape("sphere", 1), spec)) {
+    const double off = norm(p) - 1;
+    sum += off;
+    squares += off * off;
+  }
+  EXPECT_NEAR(std::sqrt(squares / 20000), sigma, 0.05 * sigma);
+  EXPECT_NEAR(sum / 20000, 0, 0.1 * sigma);
+}
+
+TEST(Clouds, OutliersHaveTheirShareAndStayInTheBox) {
+  CloudSpec spec = spec_of(Sampling::MonteCarlo, 10000);
+  spec.outliers = 0.2;
+  const std::vector<Point> points = make_cloud(make_shape("sphere", 1), spec);
+  ASSERT_EQ(points.size(), 10000U);
+  // A shell of 0.01 around the sphere holds 3 % of the box.
+  const double off = share(points, [](const Point& p) { return std::abs(norm(p) - 1) > 0.01; });
+  EXPECT_LE(off, 0.2);
+  EXPECT_GT(off, 0.185);
+  EXPECT_EQ(share(points,
+                  [](const Point& p) {
+                    return std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])}) <= 1;
+                  }),
+            1);
+}
+
+TEST(Clouds, PatchesAreMissing) {
+  const Mesh sphere = make_shape("sphere", 1);
+  Random random(5);
+  SurfaceSampler holed(sphere);
+  const double whole = holed.area();
+  EXPECT_NEAR(whole, 4 * M_PI, 0.01 * 4 * M_PI);
+  holed.take_patches_away(0.3, random);
+  EXPECT_NEAR(holed.area(), 0.7 * whole, 1e-3 * whole);
+  const auto missing = [&](const Vec3& p) {
+    return std::any_of(holed.holes().begin(), holed.holes().end(),
+                       [&](const auto& hole) { return (p - hole.centre).norm() <= hole.radius; });
+  };
+  const SurfaceSampler full(sphere);
+  int in_holes = 0;
+  for (int i = 0; i < 20000; ++i) {
+    ASSERT_FALSE(missing(holed.draw(random).position));
+    in_holes += missing(full.draw(random).position) ? 1 : 0;
+  }
+  EXPECT_NEAR(in_holes / 20000.0, 0.3, 0.02);
+}
+
+TEST(Clouds, WhatCannotBeSampledIsRefused) {
+  EXPECT_THROW(make_cloud({}, CloudSpec()), std::invalid_argument);
+  EXPECT_THROW(make_cloud(make_box({1, 0, 0}), CloudSpec()), std::invalid_argument);
+  CloudSpec spec;
+  spec.points = 0;
+  EXPECT_THROW(make_cloud(make_box({1, 1, 1}), spec), std::invalid_argument);
+  spec = CloudSpec();
+  spec.missing = 1;
+  EXPECT_THROW(make_cloud(make_box({1, 1, 1}), spec), std::invalid_argument);
+  spec = CloudSpec();
+  spec.noise = NAN;
+  EXPECT_THROW(make_cloud(make_box({1, 1, 1}), spec), std::invalid_argument);
+}
+
+TEST(Shapes, AreClosedAndOutward) {
+  for (const char* name : {"sphere", "torus", "slab:0.5"}) {
+    const Mesh mesh = make_shape(name, 20000);
+    EXPECT_EQ(test::surface_fault(mesh), "") << name;
+    EXPECT_GT(test::signed_volume(mesh), 0) << name;
+    EXPECT_EQ(euler_characteristic(mesh), name == std::string("torus") ? 0 : 2) << name;
+  }
+}
+
+TEST(Shapes, ASlabIsAsThickAsSoManySpacings) {
+  for (const double k : {0.5, 1.0, 3.0}) {
+    const Mesh slab = make_shape("slab:" + std::to_string(k), 20000);
+    const double thickness = slab.positions.back()[2];
+    EXPECT_NEAR(thickness, k * std::sqrt(SurfaceSampler(slab).area() / 20000), 1e-9);
+  }
+  for (const char* name : {"slab:", "slab:0", "slab:-1", "slab:x", "slab:1x", "slab:nan", "slab:inf"})
+    EXPECT_THROW(make_shape(name, 1000), std::invalid_argument) << name;
+}
+
+}  // namespace
+}  // namespace filmsticking::bench

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// compare as a user runs it, on small clouds.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "apps/run_program.h"
+#include "apps/scratch_folder.h"
+#include "compare/csv.h"
+#include "io/model_file.h"
+
+namespace filmsticking::bench {
+namespace {
+
+using test::Outcome;
+using test::ScratchFolder;
+using Fields = std::map<std::string, std::string>;  // a row of the CSV by column
+
+Outcome compare(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), COMPARE);
+  return test::run_program(arguments);
+}
+
+std::string read_text(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+std::vector<Fields> read_rows(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  const std::vector<std::string> header = csv_fields(line);
+  std::vector<Fields> rows;
+  while (std::getline(file, line)) {
+    const std::vector<std::string> fields = csv_fields(line);
+    EXPECT_EQ(fields.size(), header.size()) << line;
+    rows.emplace_back();
+    for (std::size_t i = 0; i < std::min(fields.size(), header.size()); ++i)
+      rows.back()[header[i]] = fields[i];
+  }
+  return rows;
+}
+
+Fields find_row(const std::vector<Fields>& rows, const std::string& shape, const std::string& method) {
+  for (const Fields& row : rows)
+    if (row.at("shape") == shape && row.at("method") == method) return row;
+  ADD_FAILURE() << "no row of " << method << " on " << shape;
+  return {};
+}
+
+double number(const Fields& row, const std::string& column) {
+  const auto found = row.find(column);
+  if (found == row.end() || found->second.empty()) {
+    ADD_FAILURE() << "no " << column;
+    return -1;
+  }
+  return std::strtod(found->second.c_str(), nullptr);
+}
+
+TEST(Compare, TwoModelsThreeMethods) {
+  const ScratchFolder folder;
+  const Outcome outcome = compare({"quality", "sphere", "torus", "--points", "1K", "--methods",
+                                   "ours,cgal-advancing-front,cgal-alpha-wrap", "--csv", folder / "out.csv",
+                                   "--markdown", folder / "out.md"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<Fields> rows = read_rows(folder / "out.csv");
+  ASSERT_EQ(rows.size(), 6U);
+  for (const Fields& row : rows) {
+    EXPECT_EQ(row.at("status"), "ok") << row.at("message");
+    EXPECT_EQ(row.at("timing"), "fit");
+    EXPECT_EQ(row.at("closed"), "true");
+    EXPECT_EQ(number(row, "self_intersections"), 0);
+    EXPECT_GT(number(row, "seconds"), 0);
+    EXPECT_GE(number(row, "seconds_with_needs"), number(row, "seconds"));
+    EXPECT_GT(number(row, "cpu_seconds"), 0);
+    EXPECT_GT(number(row, "memory_mb"), 1);
+    EXPECT_LT(number(row, "memory_mb"), 2000);
+    // 1,000 points on surfaces of 10 units: the chord's height is some thousandths of the box.
+    EXPECT_GT(number(row, "chamfer_e3"), 0.1);
+    EXPECT_LT(number(row, "chamfer_e3"), 20);
+    EXPECT_GT(number(row, "normal_consistency"), 90);
+  }
+  for (const char* shape : {"sphere", "torus"}) {
+    const Fields ours = find_row(rows, shape, "ours");
+    EXPECT_EQ(ours.at("manifold"), "true");
+    EXPECT_EQ(ours.at("oriented"), "true");
+    EXPECT_EQ(ours.at("outward"), "true");
+    EXPECT_EQ(ours.at("topology_right"), "true");
+    EXPECT_EQ(number(ours, "genus"), shape == std::string("torus") ? 1 : 0);
+    EXPECT_EQ(number(ours, "interpolated"), 100);
+    EXPECT_EQ(number(ours, "vertices"), 1000);
+    EXPECT_NE(ours.at("rooms").find('='), std::string::npos);
+    EXPECT_EQ(number(find_row(rows, shape, "cgal-alpha-wrap"), "interpolated"), 0);
+  }
+  const std::string tables = read_text(folder / "out.md");
+  EXPECT_NE(tables.find("### monte-carlo, 1000 points"), std::string::npos);
+  EXPECT_NE(tables.find("| ours | 2 of 2 | 100 | 100 | 100 | 100.00 |"), std::string::npos) << tables;
+}
+
+TEST(Compare, WhatGoesWrongIsARowThatSaysSo) {
+  const ScratchFolder folder;
+  const Outcome outcome = compare({"quality", "sphere", "--points", "200", "--methods",
+                                   "fault-crash,fault-hang,fault-throw,fault-memory,ours", "--time-limit",
+                                   "5", "--memory-limit", "2000", "--csv", folder / "out.csv"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<Fields> rows = read_rows(folder / "out.csv");
+  ASSERT_EQ(rows.size(), 5U);
+  EXPECT_EQ(find_row(rows, "sphere", "fault-crash").at("status"), "crashed");
+  EXPECT_EQ(find_row(rows, "sphere", "fault-hang").at("status"), "time limit");
+  EXPECT_EQ(find_row(rows, "sphere", "fault-throw").at("status"), "failed");
+  EXPECT_NE(find_row(rows, "sphere", "fault-throw").at("message").find("thrown, on purpose"),
+            std::string::npos);
+  EXPECT_EQ(find_row(rows, "sphere", "fault-memory").at("status"), "out of memory");
+  EXPECT_EQ(find_row(rows, "sphere", "ours").at("status"), "ok");
+  EXPECT_NE(outcome.out.find("fault-hang on sphere, monte-carlo, 200 points, seed 1: time limit"),
+            std::string::npos);
+}
+
+TEST(Compare, GoesOnWhereItWasStopped) {
+  const ScratchFolder folder;
+  const std::vector<std::string> command = {"quality", "sphere",          "--points",
+                                            "200",     "--methods",       "ours,cgal-advancing-front",
+                                            "--csv",   folder / "out.csv"};
+  ASSERT_EQ(compare(command).status, 0);
+  std::string text = read_text(folder / "out.csv");
+  // The first row is marked, to see that it is not made anew; the second one was cut off while it was
+  // written.
+  const std::size_t at = text.find(",ok,,");
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, 5, ",ok,marked,");
+  write_text(folder / "out.csv", text.substr(0, text.size() - 20));
+  ASSERT_EQ(compare(command).status, 0);
+  std::vector<Fields> rows = read_rows(folder / "out.csv");
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].at("message"), "marked");
+  EXPECT_EQ(rows[1].at("method"), "cgal-advancing-front");
+  EXPECT_EQ(rows[1].at("message"), "");
+
+  std::vector<std::string> fresh = command;
+  fresh.push_back("--fresh");
+  ASSERT_EQ(compare(fresh).status, 0);
+  rows = read_rows(folder / "out.csv");
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].at("message"), "");
+
+  write_text(folder / "out.csv", "something,else\n1,2\n");
+  EXPECT_EQ(compare(command).status, 1);
+  EXPECT_EQ(read_text(folder / "out.csv"), "something,else\n1,2\n");
+}
+
+TEST(Compare, SeveralCloudsAtOnceAreTheSameButForTheTime) {
+  const ScratchFolder folder;
+  const auto run = [&](const std::string& jobs, const std::string& csv) {
+    return compare({"quality", "sphere", "torus", "--points", "300,200", "--seeds", "1,2", "--methods",
+                    "cgal-advancing-front", "--jobs", jobs, "--csv", csv})
+        .status;
+  };
+  ASSERT_EQ(run("1", folder / "one.csv"), 0);
+  ASSERT_EQ(run("3", folder / "three.csv"), 0);
+  const std::vector<Fields> one = read_rows(folder / "one.csv");
+  ASSERT_EQ(one.size(), 8U);
+  std::map<std::string, std::string> chamfer;
+  const auto key = [](const Fields& row) {
+    return row.at("shape") + row.at("points") + "/" + row.at("seed");
+  };
+  for (const Fields& row : one) chamfer[key(row)] = row.at("chamfer_e3");
+  ASSERT_EQ(chamfer.size(), 8U);
+  for (const Fields& row : read_rows(folder / "three.csv")) {
+    EXPECT_EQ(row.at("chamfer_e3"), chamfer[key(row)]) << key(row);
+    EXPECT_EQ(row.at("timing"), "unfit");
+  }
+}
+
+TEST(Compare, TakesListsAndClouds) {
+  const ScratchFolder folder;
+  write_text(folder / "list.tsv", "name\tfile\tuse\na\tsphere\tyes\nb\tno_such_file.ply\tno\n");
+  const Outcome outcome =
+      compare({"quality", TEST_DATA "/bun0.pcd", "--list", folder / "list.tsv", "--where", "use=yes",
+               "--points", "200", "--methods", "cgal-advancing-front", "--csv", folder / "out.csv"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<Fields> rows = read_rows(folder / "out.csv");
+  ASSERT_EQ(rows.size(), 2U);
+  const Fields bunny = find_row(rows, "bun0", "cgal-advancing-front");
+  EXPECT_EQ(bunny.at("kind"), "as it is");
+  EXPECT_EQ(bunny.at("points"), "397");
+  EXPECT_EQ(bunny.at("chamfer_e3"), "");  // there is no truth
+  EXPECT_GT(number(bunny, "interpolated"), 90);
+  EXPECT_EQ(number(find_row(rows, "sphere", "cgal-advancing-front"), "points"), 200);
+}
+
+TEST(Compare, Speed) {
+  const ScratchFolder folder;
+  const Outcome outcome = compare({"speed", "sphere", "--points", "500,2000", "--runs", "2", "--csv",
+                                   folder / "out.csv", "--markdown", folder / "out.md"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<Fields> rows = read_rows(folder / "out.csv");
+  // Sizes x runs x (ours on all threads, ours on one, Delaunay, advancing front).
+  ASSERT_EQ(rows.size(), 2U * 2 * 4);
+  for (const Fields& row : rows) {
+    EXPECT_EQ(row.at("status"), "ok");
+    EXPECT_GT(number(row, "seconds"), 0);
+  }
+  const std::string tables = read_text(folder / "out.md");
+  for (const char* part :
+       {"| ours, all threads |", "| ours, 1 thread |", "exponent of growth", "Rooms of ours"})
+    EXPECT_NE(tables.find(part), std::string::npos) << part;
+}
+
+TEST(Compare, SampleWritesTheCloud) {
+  const ScratchFolder folder;
+  for (const char* name : {"a.ply", "b.ply"})
+    ASSERT_EQ(
+        compare({"sample", "torus", "--points", "1K", "--sampling", "poisson-disk", "-o", folder / name})
+            .status,
+        0);
+  EXPECT_EQ(read_text(folder / "a.ply"), read_text(folder / "b.ply"));
+  EXPECT_EQ(io::read_cloud(folder / "a.ply").positions.size(), 1000U);
+}
+
+TEST(Compare, Sheet) {
+  const ScratchFolder folder;
+  const Outcome outcome = compare({"sheet", "sphere", TEST_DATA "/bun0.pcd", "--points", "300", "--methods",
+                                   "cgal-advancing-front,fault-crash", "-o", folder / "sheet.png"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string png = read_text(folder / "sheet.png");
+  ASSERT_GT(png.size(), 1000U);
+  const auto big_endian = [&](std::size_t at) {
+    int value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(png[at + i]);
+    return value;
+  };
+  EXPECT_EQ(big_endian(16), 3 * big_endian(20) / 2);  // 3 columns, 2 rows of square panels
+}
+
+TEST(Compare, WhatMakesNoSenseIsRefusedInASentence) {
+  const ScratchFolder folder;
+  const std::vector<std::vector<std::string>> wrong = {
+      {},
+      {"bake", "sphere"},
+      {"quality"},
+      {"quality", "sphere", "--methods", "magic"},
+      {"quality", "sphere", "--points", "0"},
+      {"quality", "sphere", "--points", "many"},
+      {"quality", "sphere", "--sampling", "perfect"},
+      {"quality", "sphere", "--noise", "2"},
+      {"sheet", "sphere"},
+      {"sample", "sphere", "--points", "1K,2K", "-o", folder / "x.ply"},
+      {"quality", "sphere", "--where", "no equals sign"}};
+  for (const auto& arguments : wrong) {
+    const Outcome outcome = compare(arguments);
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    EXPECT_EQ(outcome.err.rfind("compare: ", 0), 0U) << outcome.err;
+  }
+  for (const std::string& input :
+       {folder / "absent.ply", std::string("slab:-1"), std::string(TEST_DATA "/README.md")}) {
+    const Outcome outcome =
+        compare({"quality", input, "--points", "100", "--methods", "cgal-advancing-front"});
+    EXPECT_EQ(outcome.status, 1) << input;
+    EXPECT_EQ(outcome.err.rfind("compare: ", 0), 0U) << outcome.err;
+  }
+  EXPECT_EQ(compare({"--help"}).status, 0);
+}
+
+}  // namespace
+}  // namespace filmsticking::bench
