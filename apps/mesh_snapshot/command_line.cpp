@@ -25,8 +25,9 @@ po::options_description visible_options() {
       "view", po::value<std::string>()->value_name("AZ,EL"),
       "degrees: around the upright axis, and above the horizon; default 30,20")(
       "up", po::value<std::string>()->value_name("y|z"), "the upright axis; default y")(
-      "edges", "draw the edges of the triangles")("columns", po::value<int>()->value_name("N"),
-                                                  "pictures in a row; default up to 4")(
+      "edges", "draw the edges of the triangles")(
+      "grey-backs", "paint back faces grey, so that only the edges of holes are red")(
+      "columns", po::value<int>()->value_name("N"), "pictures in a row; default up to 4")(
       "labels", "write the file's name under every mesh")(
       "label", po::value<std::vector<std::string>>()->value_name("TEXT"),
       "write a text under a mesh; once for every mesh, in their order")(
@@ -81,6 +82,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   View& view = command.view;
   const int panels = static_cast<int>(command.meshes.size());
   view.edges = given.count("edges") > 0;
+  view.grey_backs = given.count("grey-backs") > 0;
   view.columns = given.count("columns") ? given["columns"].as<int>() : std::min(panels, 4);
   if (view.columns < 1) throw UsageError("--columns takes a whole number from 1 on");
   view.columns = std::min(view.columns, panels);

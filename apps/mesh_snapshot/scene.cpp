@@ -31,8 +31,9 @@ struct Rgb {
   double red, green, blue;
 };
 
-constexpr Rgb kFront = {0.88, 0.86, 0.82}, kBack = {0.86, 0.08, 0.08}, kHole = {0.90, 0.00, 0.00};
-constexpr Rgb kSurplus = {0.60, 0.00, 0.80}, kEdge = {0.35, 0.38, 0.42}, kPoint = {0.05, 0.25, 0.55};
+constexpr Rgb kFront = {0.88, 0.86, 0.82}, kBack = {0.86, 0.08, 0.08}, kGreyBack = {0.48, 0.52, 0.58};
+constexpr Rgb kHole = {0.90, 0.00, 0.00}, kSurplus = {0.60, 0.00, 0.80}, kEdge = {0.35, 0.38, 0.42},
+              kPoint = {0.05, 0.25, 0.55};
 constexpr double kMargin = 1.06, kLabelMargin = 1.16;
 
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -108,7 +109,7 @@ vtkSmartPointer<vtkActor> make_lines(vtkPolyData* surface, bool boundary, const 
   return actor;
 }
 
-vtkSmartPointer<vtkActor> make_surface(vtkPolyData* surface, bool edges) {
+vtkSmartPointer<vtkActor> make_surface(vtkPolyData* surface, const View& view) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(surface);
   mapper->ScalarVisibilityOff();
@@ -119,11 +120,12 @@ vtkSmartPointer<vtkActor> make_surface(vtkPolyData* surface, bool edges) {
   front->SetColor(kFront.red, kFront.green, kFront.blue);
   front->SetAmbient(0.12);
   front->SetDiffuse(0.88);
-  front->SetEdgeVisibility(edges);
+  front->SetEdgeVisibility(view.edges);
   front->SetEdgeColor(kEdge.red, kEdge.green, kEdge.blue);
   vtkNew<vtkProperty> back;
   back->DeepCopy(front);
-  back->SetColor(kBack.red, kBack.green, kBack.blue);
+  const Rgb& colour = view.grey_backs ? kGreyBack : kBack;
+  back->SetColor(colour.red, colour.green, colour.blue);
   actor->SetBackfaceProperty(back);
   return actor;
 }
@@ -233,7 +235,7 @@ std::string render_png(const std::vector<Panel>& panels, const std::vector<Point
     io::Model mesh = panels[i].mesh;
     to_frame(mesh.positions, frame, extent);
     const vtkSmartPointer<vtkPolyData> surface = io::to_polydata(mesh);
-    renderer->AddActor(make_surface(surface, view.edges));
+    renderer->AddActor(make_surface(surface, view));
     renderer->AddActor(make_lines(surface, true, kHole));
     renderer->AddActor(make_lines(surface, false, kSurplus));
     std::vector<Point> cloud;

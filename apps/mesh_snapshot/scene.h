@@ -25,11 +25,12 @@ enum class Fit {
 struct View {
   int width = 700;  ///< of the whole picture, in pixels
   int height = 700;
-  int columns = 1;        ///< panels in a row
-  double azimuth = 30;    ///< degrees around the upright axis
-  double elevation = 20;  ///< degrees above the horizon
-  bool z_up = false;      ///< the upright axis is z, else y
-  bool edges = false;     ///< draw the edges of the triangles
+  int columns = 1;          ///< panels in a row
+  double azimuth = 30;      ///< degrees around the upright axis
+  double elevation = 20;    ///< degrees above the horizon
+  bool z_up = false;        ///< the upright axis is z, else y
+  bool edges = false;       ///< draw the edges of the triangles
+  bool grey_backs = false;  ///< back faces are grey, not red
   Fit fit = Fit::All;
 };
 

@@ -120,6 +120,14 @@ TEST_F(MeshSnapshot, InsideOutIsRedAndHolesHaveRedEdges) {
   EXPECT_GT(open.grey, 0.3);
 }
 
+TEST_F(MeshSnapshot, BacksCanBeGreySoThatRedIsForHoles) {
+  io::write_model(folder_ / "turned.ply", cube(false, true));
+  ASSERT_EQ(mesh_snapshot({folder_ / "turned.ply", "-o", folder_ / "turned.png", "--grey-backs"}).status, 0);
+  const Pixels pixels = read_pixels(folder_ / "turned.png");
+  EXPECT_EQ(pixels.red, 0);
+  EXPECT_GT(pixels.grey, 0.4);
+}
+
 TEST_F(MeshSnapshot, TheInsideShowsThroughAHole) {
   io::write_model(folder_ / "open.ply", cube(true, false));
   ASSERT_EQ(mesh_snapshot({folder_ / "open.ply", "-o", folder_ / "open.png", "--view=30,60"}).status, 0);
@@ -164,6 +172,41 @@ TEST_F(MeshSnapshot, PointsEdgesLabelsAndRowsAreDrawn) {
   EXPECT_GT(pixels.blue, 0.005);
 }
 
+TEST_F(MeshSnapshot, FitSaysWhatSharesAScale) {
+  io::write_model(folder_ / "small.ply", cube(false, false));
+  Model large = cube(false, false);
+  for (Point& p : large.positions) p = {10 * p[0], 10 * p[1], 10 * p[2]};
+  io::write_model(folder_ / "large.ply", large);
+  const auto grey_of_small = [&](const std::string& fit, const std::string& columns) {
+    const Outcome outcome =
+        mesh_snapshot({folder_ / "small.ply", folder_ / "large.ply", "--fit", fit, "--columns", columns, "-o",
+                       folder_ / "two.png", "--size", "400x400"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return read_pixels(folder_ / "two.png", 0, columns == "2" ? 0.5 : 1).grey;
+  };
+  EXPECT_LT(grey_of_small("all", "2"), 0.02);
+  EXPECT_LT(grey_of_small("row", "2"), 0.02);
+  EXPECT_GT(grey_of_small("each", "2"), 0.2);
+  // Below each other, a row each: half of the picture is the small cube's.
+  const double alone = grey_of_small("row", "1");
+  EXPECT_GT(alone, 1.5 * grey_of_small("all", "1"));
+}
+
+TEST_F(MeshSnapshot, ADashLeavesItsPlaceEmptyAndLabelsAreOwnTexts) {
+  io::write_model(folder_ / "cube.ply", cube(false, false));
+  const std::vector<std::string> panels = {folder_ / "cube.ply", "-",      "-o",
+                                           folder_ / "two.png",  "--size", "800x400"};
+  ASSERT_EQ(mesh_snapshot(panels).status, 0);
+  EXPECT_GT(read_pixels(folder_ / "two.png", 0, 0.5).grey, 0.3);
+  EXPECT_EQ(read_pixels(folder_ / "two.png", 0.5, 1).white, 1);
+  std::vector<std::string> labelled = panels;
+  for (const char* word : {"--label", "a cube", "--label", "nothing at all"}) labelled.push_back(word);
+  ASSERT_EQ(mesh_snapshot(labelled).status, 0);
+  const Pixels empty = read_pixels(folder_ / "two.png", 0.5, 1);
+  EXPECT_LT(empty.white, 0.999);  // the text
+  EXPECT_GT(empty.white, 0.95);
+}
+
 TEST_F(MeshSnapshot, LargeCoordinatesAreDrawnSharp) {
   Model model = cube(false, false);
   for (Point& p : model.positions) p = {p[0] * 0.01 + 500000.1, p[1] * 0.01 + 4649776.7, p[2] * 0.01 + 123.4};
@@ -188,6 +231,8 @@ TEST_F(MeshSnapshot, FailsInOneSentence) {
       {2, {mesh, "-o", png, "--view", "0,91"}},
       {2, {mesh, "-o", png, "--columns", "0"}},
       {2, {mesh, "-o", png, "--up", "x"}},
+      {2, {mesh, "-o", png, "--fit", "tight"}},
+      {2, {mesh, mesh, "-o", png, "--label", "only one"}},
       {2, {mesh, "-o", png, "--nonsense"}},
       {1, {folder_ / "missing.ply", "-o", png}},
       {1, {TEST_DATA "/spot_10k.ply", "-o", png}},  // points only

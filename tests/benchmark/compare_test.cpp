@@ -111,7 +111,7 @@ TEST(Compare, WhatGoesWrongIsARowThatSaysSo) {
   const ScratchFolder folder;
   const Outcome outcome = compare({"quality", "sphere", "--points", "200", "--methods",
                                    "fault-crash,fault-hang,fault-throw,fault-memory,ours", "--time-limit",
-                                   "5", "--memory-limit", "2000", "--csv", folder / "out.csv"});
+                                   "5", "--memory-limit", "1000", "--csv", folder / "out.csv"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::vector<Fields> rows = read_rows(folder / "out.csv");
   ASSERT_EQ(rows.size(), 5U);

@@ -72,9 +72,9 @@ void draw_sheet(const CommandLine& command) {
     std::ofstream(scratch / "key").flush();
     drawing = {"xvfb-run", "-a", "-f", scratch / "key"};
   }
-  drawing.insert(drawing.end(),
-                 {sibling_program("mesh_snapshot"), "-o", command.output, "--columns",
-                  std::to_string(columns), "--fit", "row", "--size", pixels(columns) + "x" + pixels(rows)});
+  drawing.insert(drawing.end(), {sibling_program("mesh_snapshot"), "-o", command.output, "--columns",
+                                 std::to_string(columns), "--fit", "row", "--grey-backs", "--size",
+                                 pixels(columns) + "x" + pixels(rows)});
   if (!command.view.empty()) drawing.insert(drawing.end(), {"--view", command.view});
   if (!command.up.empty()) drawing.insert(drawing.end(), {"--up", command.up});
   for (const Panel& panel : panels) drawing.insert(drawing.end(), {"--label", panel.label});
