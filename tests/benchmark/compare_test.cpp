@@ -109,9 +109,10 @@ TEST(Compare, TwoModelsThreeMethods) {
 
 TEST(Compare, WhatGoesWrongIsARowThatSaysSo) {
   const ScratchFolder folder;
-  const Outcome outcome = compare({"quality", "sphere", "--points", "200", "--methods",
-                                   "fault-crash,fault-hang,fault-throw,fault-memory,ours", "--time-limit",
-                                   "5", "--memory-limit", "1000", "--csv", folder / "out.csv"});
+  const Outcome outcome =
+      compare({"quality", "sphere", "--points", "200", "--methods",
+               "fault-crash,fault-hang,fault-throw,fault-memory,ours", "--time-limit", "5", "--memory-limit",
+               "1000", "--threads", "1", "--csv", folder / "out.csv"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::vector<Fields> rows = read_rows(folder / "out.csv");
   ASSERT_EQ(rows.size(), 5U);

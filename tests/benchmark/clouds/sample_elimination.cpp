@@ -52,16 +52,27 @@ class FallingHeap {
   std::vector<std::int32_t> place_;  // in the heap; -1: taken out
 };
 
+/// Neighbours near each other in memory: millions of them are walked through again and again.
+std::vector<Sample> by_cells(const std::vector<Sample>& samples, const Vec3& low, double side) {
+  std::vector<Sample> ordered;
+  ordered.reserve(samples.size());
+  CellGrid(samples, low, side).each_cell([&](auto begin, auto end) {
+    for (auto entry = begin; entry != end; ++entry) ordered.push_back(samples[entry->sample]);
+  });
+  return ordered;
+}
+
 }  // namespace
 
-std::vector<Sample> eliminate_samples(const std::vector<Sample>& candidates, std::size_t count, double area,
+std::vector<Sample> eliminate_samples(const std::vector<Sample>& given, std::size_t count, double area,
                                       const Vec3& low) {
-  if (candidates.size() <= count) return candidates;
+  if (given.size() <= count) return given;
   // Half the distance between neighbours of the densest packing, and the weights as in Yuksel's paper.
   const double largest = std::sqrt(area / (2 * std::sqrt(3.0) * static_cast<double>(count)));
-  const double kept = static_cast<double>(count) / static_cast<double>(candidates.size());
+  const double kept = static_cast<double>(count) / static_cast<double>(given.size());
   const double smallest = largest * (1 - std::pow(kept, 1.5)) * 0.65;
   const double reach = 2 * largest;
+  const std::vector<Sample> candidates = by_cells(given, low, reach);
   const CellGrid grid(candidates, low, reach);
   const auto each_neighbour = [&](std::int32_t i, const auto& body) {
     const Sample& own = candidates[i];
