@@ -46,13 +46,15 @@ struct Options {
   /// Attract stalled sites by weights (restricted power diagram); false: Voronoi only.
   bool weights = true;
 
-  /// Put the sites that the film does not reach into its nearest face where that is clean.
+  /// Bring on the sites that are still off: a carved surface by relabelling tetrahedra beside them, a film by
+  /// splitting its nearest face where that is clean.
   bool insert_leftover = true;
 
   /// Film steps allowed in one evolution of the film before the first field; at least 1.
   int max_steps = 60;
 
-  /// Rounds of field and film, 0 or more; they end sooner when nothing gets better.
+  /// Rounds of field and film, 0 or more; they end sooner when nothing gets better. A carved surface is not
+  /// improved by them (measured) and has none.
   int max_rounds = 6;
 
   /// Threads; 0: all that the machine has. The result is the same for every number.

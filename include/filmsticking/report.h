@@ -31,7 +31,7 @@ struct Report {
   std::int64_t non_finite = 0;     ///< points left out because a coordinate is NaN or infinite
   std::int64_t duplicates = 0;     ///< points left out because an equal one came before
   std::int64_t interpolated = 0;   ///< sites that are vertices of the result
-  std::int64_t inserted = 0;       ///< of these, put in by splitting faces after the last film step
+  std::int64_t inserted = 0;       ///< of these, brought on one by one at the end
   std::int64_t triangles = 0;      ///< of the result
   std::int64_t components = 0;     ///< connected pieces of the result
   std::int64_t genus = 0;          ///< sum over the components

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "field/carve.h"
+#include "field/manifold_labels.h"
 #include "field/poisson.h"
 #include "field/sculpt.h"
 #include "field/signed_field.h"
@@ -19,20 +20,27 @@
 namespace filmsticking {
 namespace {
 
-// Film steps after a cut: what is left to do is local, and most of it happens in the first three.
-constexpr int kStepsAfterCut = 4;
-// A belief is tried against the evidence with growing conviction until the cut keeps this share of the sites;
-// thin plates are given up by a weak one.
+// A belief is weighed against the evidence with this conviction; it grows around sites that the cut leaves
+// off, a few times: thin plates are given up by a weak one, and a strong one everywhere would not be smooth.
 constexpr double kConviction = 0.1, kConvictionGrowth = 4;
-constexpr int kConvictions = 4;
+constexpr int kCuts = 6;
+// The first cut that keeps this share of the sites has the shape; later ones only bring sites.
 constexpr double kKeptShare = 0.8;
+// A cut that leaves this share off as the one before is the last.
+constexpr double kStalled = 0.95;
+// What a site off the surface costs, in areas of one sample.
+constexpr double kOffPrice = 5;
+// Widths up to which carving does not enter, in spacings, and how much surer it is of the outside for a width
+// one spacing larger. The slow rise leaves chance gaps in a thin wall to the evidence.
+constexpr double kCarveWidths[] = {2, 4};
+constexpr double kCarveSlope = 0.2;
 // A wrap's ball in units of the box's longest side.
 constexpr double kWrapAlpha = 0.05;
 // An inserted site may be this many longest edges of its face away from it.
 constexpr double kReach = 2;
 
-// Shares of the sites that a first film left off before insertion: up to the first it is taken, from the
-// second on the film from the sphere is tried too.
+// Shares of the sites: a first cut that leaves no more off than the first is taken; where the best surface
+// leaves more off than the second, the film from the sphere is tried too.
 constexpr double kLittleTrouble = 0.01, kMuchTrouble = 0.1;
 
 // Is there a film, and are all its vertices sites?
@@ -56,7 +64,7 @@ double Pipeline::Candidate::score() const {
 void Pipeline::prepare() {
   monitor_.enter("triangulation", 0.02);
   const DelaunayTriangulation triangulation(sites_.perturbed);
-  voronoi_ = triangulation.voronoi();
+  if (options_.initial_surface != InitialSurface::Carve) voronoi_ = triangulation.voronoi();
   mesh_ = make_tetrahedral_mesh(triangulation.tetrahedra(), sites_.perturbed);
   monitor_.enter("local evidence", 0.15);
   geometry_ = site_geometry(sites_.perturbed);
@@ -109,30 +117,66 @@ Pipeline::Candidate Pipeline::finish(GuidingSurface film) {
   return candidate;
 }
 
+// The surface of a cut by a belief, made manifold. The first cut that keeps most sites gives the topology;
+// later ones, by growing conviction around the sites left off, where it should go.
 Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conviction) {
-  GuidingSurface best;
-  for (int attempt = 0; attempt < kConvictions; ++attempt, conviction *= kConvictionGrowth) {
+  const std::size_t n = sites_.size();
+  LabelCosts costs{evidence_.cost, std::vector<double>(mesh_.size()), std::vector<double>(n)};
+  parallel_each(mesh_.size(), [&](std::size_t t) {
+    const auto& area = evidence_.area[t];
+    costs.hold[t] = conviction * (area[0] + area[1] + area[2] + area[3]) * belief[t];
+  });
+  for (std::size_t v = 0; v < n; ++v) costs.off[v] = kOffPrice * geometry_.spacing[v] * geometry_.spacing[v];
+
+  Candidate candidate;
+  std::vector<double> hold = costs.hold;
+  std::vector<char> labels, aim;
+  std::size_t labels_off = n + 1, aim_off = n + 1, last_off = n;
+  for (int i = 0; i < kCuts; ++i) {
     monitor_.enter("sculpting", monitor_.share());
-    const std::vector<char> inside = sculpt(mesh_, evidence_, belief, conviction);
-    RepairCounts counts;
-    GuidingSurface surface =
-        film_of_sites(manifold_repair(tetrahedral_boundary(mesh_, inside, sites_.perturbed), sites_.perturbed,
-                                      options_.ring, counts),
-                      sites_.perturbed);
-    if (best.triangles.empty() || surface.site.size() > best.site.size()) best = std::move(surface);
-    if (static_cast<double>(best.site.size()) >= kKeptShare * static_cast<double>(sites_.size())) break;
+    const std::vector<char> inside = sculpt(mesh_, evidence_, hold);
+    std::vector<char> sides(n, 0);  // of each site: 1 inside, 2 outside, 3 both: it is on the surface
+    for (std::size_t t = 0; t < mesh_.size(); ++t)
+      for (Index v : mesh_.tets.corners[t])
+        if (v != kNone) sides[v] = static_cast<char>(sides[v] | (inside[t] ? 1 : 2));
+    const std::size_t off = n - static_cast<std::size_t>(std::count(sides.begin(), sides.end(), 3));
+    if (i == 0) candidate.weak = static_cast<double>(off) / static_cast<double>(n);
+    if (off < labels_off &&
+        static_cast<double>(n - std::min(n, labels_off)) < kKeptShare * static_cast<double>(n))
+      labels = inside, labels_off = off;
+    if (off < aim_off) aim = inside, aim_off = off;
+    const bool stalled =
+        i > 0 && 2 * off<n&& static_cast<double>(off)> kStalled * static_cast<double>(last_off);
+    if (off == 0 || stalled) break;
+    last_off = off;
+    for (std::size_t t = 0; t < mesh_.size(); ++t)
+      for (Index v : mesh_.tets.corners[t])
+        if (v != kNone && sides[v] != 3) {
+          hold[t] *= kConvictionGrowth;
+          break;
+        }
   }
-  // What keeps fewer than half has lost the shape; inserting the rest would not bring it back.
-  if (2 * best.site.size() < sites_.size()) return {};
-  return finish(evolve(std::move(best), sites_.perturbed, kStepsAfterCut, false));
+  // What keeps fewer than half has lost the shape.
+  if (2 * aim_off > n) return candidate;
+
+  monitor_.enter("manifold", monitor_.share());
+  ManifoldLabels manifold(mesh_, geometry_, costs, labels);
+  manifold.repair();
+  manifold.warp(aim);
+  if (options_.insert_leftover) manifold.reach();
+  candidate.inserted = manifold.counts().reached;
+  candidate.film = film_of_sites(tetrahedral_boundary(mesh_, labels), sites_.perturbed);
+  candidate.quality = film_quality(candidate.film, geometry_);
+  return candidate;
 }
 
 std::vector<double> Pipeline::carve_belief(double limit) const {
   const std::vector<double> width = carve_widths(mesh_, sites_.perturbed, geometry_.spacing);
   std::vector<double> belief(mesh_.size(), -1);
-  // Sure from a third of a spacing off the limit.
+  // Sure of the inside from a third of a spacing below the limit.
   for (std::size_t t = 0; t < mesh_.size(); ++t)
-    if (std::isfinite(width[t])) belief[t] = std::clamp((limit - width[t]) * 3, -1.0, 1.0);
+    if (std::isfinite(width[t]))
+      belief[t] = std::clamp((limit - width[t]) * (width[t] > limit ? kCarveSlope : 3), -1.0, 1.0);
   return belief;
 }
 
@@ -161,24 +205,19 @@ bool Pipeline::settled(const Candidate& candidate) const {
   return candidate.inserted == 0 && candidate.quality.off == 0 && candidate.quality.wide_faces == 0;
 }
 
-// The first film by local evidence alone; where it leaves many sites off, also by carving at a few widths,
-// and where there is no telling inside from outside (open surfaces), by the film from the sphere.
+// By local evidence alone; where its first cut leaves many sites off, also by carving at a few widths, and
+// where there is no telling inside from outside (open surfaces), by the film from the sphere.
 Pipeline::Candidate Pipeline::carve() {
-  const auto trouble = [&](const Candidate& c) {
-    return c.film.triangles.empty()
-               ? 1.0
-               : static_cast<double>(c.inserted + c.quality.off) / static_cast<double>(sites_.size());
-  };
   monitor_.enter("signed field", 0.25);
-  const std::vector<double> belief = signed_field(mesh_, evidence_, carve_belief(2));
-  Candidate best = cut(belief, kConviction);
-  if (trouble(best) <= kLittleTrouble) return best;
-  for (const double width : {2.0, 3.0}) {
+  Candidate best = cut(signed_field(mesh_, evidence_, carve_belief(2)), kConviction);
+  if (best.weak <= kLittleTrouble && !best.film.triangles.empty()) return best;
+  for (const double width : kCarveWidths) {
     monitor_.enter("carving", monitor_.share());
     Candidate other = cut(carve_belief(width), kConviction);
     if (other.score() < best.score()) best = std::move(other);
   }
-  if (trouble(best) <= kMuchTrouble) return best;
+  const auto enough = static_cast<std::int64_t>(kMuchTrouble * static_cast<double>(sites_.size()));
+  if (!best.film.triangles.empty() && best.quality.off <= enough) return best;
   Candidate film = finish(film_from_outside());
   if (film.score() < best.score()) best = std::move(film);
   return best;
@@ -211,6 +250,7 @@ std::vector<std::function<GuidingSurface()>> Pipeline::first_surfaces() const {
 
 // The film by plain steps from the first surface, and by virtual sites and weights once it stalls.
 GuidingSurface Pipeline::film_from_outside() {
+  if (voronoi_.offset.empty()) voronoi_ = DelaunayTriangulation(sites_.perturbed).voronoi();
   GuidingSurface film;
   for (const auto& first : first_surfaces()) {
     monitor_.enter("first surface", 0.2);
@@ -255,8 +295,7 @@ void Pipeline::rounds(Candidate& best) {
     // Poisson's surface is taken as it is; only sculpting weighs it against the evidence.
     Candidate next = cut(belief, options_.field == FieldMethod::Poisson ? 1e6 : kConviction);
     // One round is what the paper does, better or not by our own measure; more must earn their keep.
-    const bool first = round == 0 && options_.initial_surface != InitialSurface::Carve;
-    if (next.film.triangles.empty() || (!first && !(next.score() < best.score()))) break;
+    if (next.film.triangles.empty() || (round > 0 && !(next.score() < best.score()))) break;
     best = std::move(next);
   }
 }
@@ -266,10 +305,11 @@ GuidingSurface Pipeline::run() {
   Candidate best;
   if (options_.initial_surface == InitialSurface::Carve) {
     best = carve();
+    show(best.film);
   } else {
     best = finish(film_from_outside());
+    rounds(best);
   }
-  rounds(best);
   report_.inserted = best.inserted;
   return std::move(best.film);
 }

@@ -29,6 +29,7 @@ class Pipeline {
     GuidingSurface film;
     FilmQuality quality;  ///< after insertion
     std::int64_t inserted = 0;
+    double weak = 0;       ///< share of the sites that its first cut left off
     double score() const;  ///< lower is better
   };
 
@@ -40,7 +41,7 @@ class Pipeline {
   std::vector<Vec3> with_virtual_sites(const GuidingSurface& film) const;
   Candidate finish(GuidingSurface film);
   Candidate cut(const std::vector<double>& belief, double conviction);
-  std::vector<double> carve_belief(double width) const;
+  std::vector<double> carve_belief(double limit) const;
   std::vector<double> winding_belief(const GuidingSurface& film) const;
   std::vector<double> film_belief(const GuidingSurface& film) const;
   bool settled(const Candidate& candidate) const;

@@ -10,6 +10,7 @@
 
 #include "field/carve.h"
 #include "field/facet_evidence.h"
+#include "field/manifold_labels.h"
 #include "field/minimum_cut.h"
 #include "field/signed_field.h"
 #include "field/winding_number.h"
@@ -47,9 +48,13 @@ class House {
   }
 
   GuidingSurface boundary_film() const {
-    RepairCounts counts;
-    return film_of_sites(
-        manifold_repair(tetrahedral_boundary(mesh, inside, sites), sites, RingChoice::Smooth, counts), sites);
+    std::vector<char> labels = inside;
+    LabelCosts costs{evidence.cost, std::vector<double>(mesh.size(), 0), {}};
+    for (const double spacing : geometry.spacing) costs.off.push_back(5 * spacing * spacing);
+    ManifoldLabels manifold(mesh, geometry, costs, labels);
+    manifold.repair();
+    manifold.reach();
+    return film_of_sites(tetrahedral_boundary(mesh, labels), sites);
   }
 
   /// What sculpting asks for: facets cost what the evidence says, and tetrahedra hold to their belief by a
@@ -128,7 +133,8 @@ void register_rooms() {
        [](const House& h) { return carve_widths(h.mesh, h.sites, h.geometry.spacing).size(); });
   room("signed field", [](const House& h) { return signed_field(h.mesh, h.evidence, h.guess).size(); });
   room("minimum cut", [](const House& h) { return h.cut().size(); });
-  room("boundary of the cut, repaired", [](const House& h) { return h.boundary_film().triangles.size(); });
+  room("manifold labels and their boundary",
+       [](const House& h) { return h.boundary_film().triangles.size(); });
   room("restricted power diagram", [](const House& h) {
     const auto vertices = static_cast<Index>(h.first_film.positions.size());
     return restrict_power_diagram(h.first_film, half_edge_twins(h.first_film.triangles, vertices), h.voronoi)

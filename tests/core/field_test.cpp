@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "dual_complex.h"
 #include "field/carve.h"
+#include "field/label_islands.h"
+#include "field/manifold_labels.h"
 #include "field/minimum_cut.h"
 #include "field/poisson.h"
 #include "field/sculpt.h"
@@ -53,25 +55,121 @@ TEST(TetrahedralMesh, FacetsFaceOutAndMirrorsMatch) {
     }
 }
 
-TEST(TetrahedralBoundary, IsClosedForAnyLabelsAndRepairsToAManifold) {
+// Labels as bad as they come: each tetrahedron at random.
+std::vector<char> random_labels(const TetrahedralMesh& mesh, std::uint64_t seed) {
+  test::Random random(seed);
+  std::vector<char> inside(mesh.size());
+  for (std::size_t t = 0; t < inside.size(); ++t)
+    inside[t] = !mesh.tets.infinite(static_cast<Index>(t)) && random.below(2);
+  return inside;
+}
+
+LabelCosts costs_of(const Setting& s) {
+  LabelCosts costs{s.evidence.cost, std::vector<double>(s.mesh.size(), 0), {}};
+  for (const double spacing : s.geometry.spacing) costs.off.push_back(5 * spacing * spacing);
+  return costs;
+}
+
+// V - E + F, or nothing where the surface is no closed manifold.
+std::optional<std::int64_t> euler_if_manifold(const Setting& s, const std::vector<char>& inside) {
+  const GuidingSurface film = film_of_sites(tetrahedral_boundary(s.mesh, inside), s.set.perturbed);
+  const Index vertices = static_cast<Index>(film.positions.size());
+  if (!film.triangles.empty() && !check_manifold(film.triangles, vertices).ok()) return {};
+  return vertices - static_cast<std::int64_t>(film.triangles.size()) / 2;
+}
+
+TEST(ManifoldLabels, AreAManifoldInEveryRoomForAnyLabels) {
+  std::int64_t singular = 0, reached = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    const Setting s(test::sphere(120, seed));
-    test::Random random(seed);
-    std::vector<char> inside(s.mesh.size());
+    const Setting s(seed % 2 ? test::sphere(120, seed) : test::torus(200, seed));
+    std::vector<char> inside = random_labels(s.mesh, seed);
+    const LabelCosts costs = costs_of(s);
+    ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
+    manifold.repair();
+    EXPECT_TRUE(euler_if_manifold(s, inside)) << seed;
+    manifold.warp(random_labels(s.mesh, seed + 1000));
+    EXPECT_TRUE(euler_if_manifold(s, inside)) << seed;
+    manifold.reach();
+    EXPECT_TRUE(euler_if_manifold(s, inside)) << seed;
+    singular += manifold.counts().singular, reached += manifold.counts().reached;
     for (std::size_t t = 0; t < inside.size(); ++t)
-      inside[t] = !s.mesh.tets.infinite(static_cast<Index>(t)) && random.below(2);
-    const HalfEdgeComplex c = tetrahedral_boundary(s.mesh, inside, s.set.perturbed);
-    for (Index h = 0; h < static_cast<Index>(c.twin.size()); ++h) {
-      ASSERT_EQ(c.twin[c.twin[h]], h);
-      ASSERT_EQ(c.site[c.twin[h]], c.site[next_in_face(h)]);
-    }
-    RepairCounts counts;
-    const GuidingSurface film =
-        film_of_sites(manifold_repair(c, s.set.perturbed, RingChoice::Smooth, counts), s.set.perturbed);
-    if (!film.triangles.empty()) {
-      EXPECT_TRUE(check_manifold(film.triangles, static_cast<Index>(film.positions.size())).ok()) << seed;
-    }
+      EXPECT_FALSE(inside[t] && s.mesh.tets.infinite(static_cast<Index>(t)));
   }
+  EXPECT_GT(singular, 0);  // there was something to do
+  EXPECT_GT(reached, 0);
+}
+
+TEST(ManifoldLabels, WarpAndReachKeepTheTopology) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const Setting s(test::torus(300, seed));
+    std::vector<char> inside = random_labels(s.mesh, seed);
+    const LabelCosts costs = costs_of(s);
+    ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
+    manifold.repair();
+    const auto before = euler_if_manifold(s, inside);
+    manifold.warp(random_labels(s.mesh, seed + 1000));
+    EXPECT_EQ(euler_if_manifold(s, inside), before) << seed;
+    manifold.reach();
+    EXPECT_EQ(euler_if_manifold(s, inside), before) << seed;
+  }
+}
+
+// An ellipsoid: no five of its points are on a sphere, so its tetrahedra are well away from flat.
+std::vector<Point> ellipsoid(int n, std::uint64_t seed, double x0) {
+  std::vector<Point> points = test::sphere(n, seed);
+  for (Point& p : points) p = {x0 + p[0], 0.8 * p[1], 0.6 * p[2]};
+  return points;
+}
+
+// Below 1 inside the ellipsoid at x0.
+double level(const Setting& s, std::size_t t, double x0) {
+  const Vec3 origin = s.set.to_unit({0, 0, 0});
+  const double unit = (s.set.to_unit({1, 0, 0}) - origin).norm();
+  const Vec3 p = (s.centre(t) - origin) / unit;
+  return Vec3(p.x() - x0, p.y() / 0.8, p.z() / 0.6).norm();
+}
+
+TEST(ManifoldLabels, WarpReachesTheAimWhereTheTopologyIsTheSame) {
+  const Setting s(ellipsoid(2000, 3, 0));
+  std::vector<char> aim(s.mesh.size()), inside(s.mesh.size());
+  for (std::size_t t = 0; t < aim.size(); ++t) {
+    if (s.mesh.tets.infinite(static_cast<Index>(t))) continue;
+    aim[t] = level(s, t, 0) < 0.99;
+    inside[t] = aim[t] && s.centre(t).x() < 0.2;  // with its end cut off
+  }
+  const LabelCosts costs = costs_of(s);
+  ManifoldLabels whole(s.mesh, s.geometry, costs, aim);
+  whole.repair();
+  ManifoldLabels part(s.mesh, s.geometry, costs, inside);
+  part.repair();
+  part.warp(aim);
+  std::size_t differences = 0;
+  for (std::size_t t = 0; t < aim.size(); ++t) differences += aim[t] != inside[t];
+  EXPECT_GT(part.counts().warped, 100);
+  EXPECT_LT(differences,
+            static_cast<std::size_t>(part.counts().warped) / 20);  // a few steps need two at once
+}
+
+TEST(ManifoldLabels, AnIslandIsGivenUpAndAPartIsKept) {
+  std::vector<Point> points = ellipsoid(2000, 4, 0);
+  for (const Point& p : ellipsoid(2000, 5, 3)) points.push_back(p);
+  const Setting s(points);
+  std::vector<char> inside(s.mesh.size());
+  Index island = kNone;
+  for (std::size_t t = 0; t < inside.size(); ++t) {
+    if (s.mesh.tets.infinite(static_cast<Index>(t))) continue;
+    const double left = level(s, t, 0), right = level(s, t, 3);
+    inside[t] = right < 0.99;  // all of the right one; of the left one a single tetrahedron
+    if (left > 0.9 && left < 0.98) island = static_cast<Index>(t);
+  }
+  ASSERT_NE(island, kNone);
+  inside[island] = 1;
+  EXPECT_GE(drop_islands(s.mesh, s.geometry, inside), 1);
+  EXPECT_FALSE(inside[island]);
+  for (std::size_t t = 0; t < inside.size(); ++t)
+    if (!s.mesh.tets.infinite(static_cast<Index>(t)) && level(s, t, 3) < 0.9) {
+      EXPECT_TRUE(inside[t]) << t;
+    }
 }
 
 // All cuts of small graphs, one by one.
@@ -179,12 +277,14 @@ TEST(Sculpt, FollowsTheEvidenceWhereTheBeliefIsVague) {
   std::vector<double> belief(s.mesh.size(), -1);
   for (std::size_t t = 0; t < s.mesh.size(); ++t)
     if (!s.mesh.tets.infinite(static_cast<Index>(t))) belief[t] = s.centre(t).norm() < 0.45 ? 1 : 0;
-  const auto inside = sculpt(s.mesh, s.evidence, belief, 0.1);
-  RepairCounts counts;
-  const GuidingSurface film =
-      film_of_sites(manifold_repair(tetrahedral_boundary(s.mesh, inside, s.set.perturbed), s.set.perturbed,
-                                    RingChoice::Smooth, counts),
-                    s.set.perturbed);
+  std::vector<double> hold(s.mesh.size(), 0);
+  for (std::size_t t = 0; t < hold.size(); ++t)
+    for (const double area : s.evidence.area[t]) hold[t] += 0.1 * area * belief[t];
+  std::vector<char> inside = sculpt(s.mesh, s.evidence, hold);
+  const LabelCosts costs = costs_of(s);
+  ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
+  manifold.repair();
+  const GuidingSurface film = film_of_sites(tetrahedral_boundary(s.mesh, inside), s.set.perturbed);
   EXPECT_GT(film.site.size(), 2990u);
   EXPECT_LT(film_quality(film, s.geometry).disagreement, 0.02);
 }

@@ -9,7 +9,7 @@
 namespace filmsticking {
 
 std::vector<char> sculpt(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
-                         const std::vector<double>& belief, double conviction) {
+                         const std::vector<double>& hold) {
   CutGraph graph{mesh.mirror, {}, {}};
   graph.capacity.resize(mesh.size());
   graph.terminal.resize(mesh.size());
@@ -24,14 +24,10 @@ std::vector<char> sculpt(const TetrahedralMesh& mesh, const FacetEvidence& evide
   std::vector<char> fallback(mesh.size());
   for (std::size_t t = 0; t < mesh.size(); ++t) {
     const bool infinite = mesh.tets.infinite(static_cast<Index>(t));
-    double surface = 0;
-    for (int k = 0; k < 4; ++k) {
-      graph.capacity[t][k] = price(evidence.cost[t][k]);
-      surface += evidence.area[t][k];
-    }
-    const std::int64_t hold = price(conviction * surface * std::abs(belief[t]));
-    graph.terminal[t] = infinite ? -(std::int64_t(1) << 50) : belief[t] > 0 ? hold : -hold;
-    fallback[t] = !infinite && belief[t] > 0;
+    for (int k = 0; k < 4; ++k) graph.capacity[t][k] = price(evidence.cost[t][k]);
+    const std::int64_t held = price(std::abs(hold[t]));
+    graph.terminal[t] = infinite ? -(std::int64_t(1) << 50) : hold[t] > 0 ? held : -held;
+    fallback[t] = !infinite && hold[t] > 0;
   }
   std::vector<char> inside = minimum_cut(graph, fallback);
   for (std::size_t t = 0; t < mesh.size(); ++t)

@@ -10,9 +10,9 @@ namespace filmsticking {
 
 /// Sculpting (paper, section 5; Wang et al. 2022) as a minimum cut: the inside of a shape among the Delaunay
 /// tetrahedra that costs least between what is believed of each tetrahedron and what its facets cost as
-/// surface. belief[t]: 1 surely inside .. -1 surely outside; infinite ones are outside whatever it says.
-/// `conviction` weighs belief against evidence: area of its facets that a tetrahedron holds up against.
+/// surface. hold[t]: > 0 what it costs to leave t outside, < 0 to have it inside, in the unit of the evidence
+/// (area); infinite ones are outside whatever it says.
 std::vector<char> sculpt(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
-                         const std::vector<double>& belief, double conviction);
+                         const std::vector<double>& hold);
 
 }  // namespace filmsticking

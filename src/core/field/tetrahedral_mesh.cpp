@@ -63,45 +63,15 @@ TetrahedralMesh make_tetrahedral_mesh(Tetrahedra tets, const std::vector<Vec3>& 
   return mesh;
 }
 
-HalfEdgeComplex tetrahedral_boundary(const TetrahedralMesh& mesh, const std::vector<char>& inside,
-                                     const std::vector<Vec3>& sites) {
-  HalfEdgeComplex boundary;
-  std::vector<Index> facets;  // 4 * tet + k
-  std::vector<Index> triangle(4 * mesh.size(), kNone);
+std::vector<Corners> tetrahedral_boundary(const TetrahedralMesh& mesh, const std::vector<char>& inside) {
+  std::vector<Corners> boundary;
   for (std::size_t t = 0; t < mesh.size(); ++t) {
     if (!inside[t]) continue;
-    for (int k = 0; k < 4; ++k) {
-      if (inside[mesh.tets.neighbours[t][k]]) continue;
-      triangle[4 * t + k] = static_cast<Index>(facets.size());
-      facets.push_back(static_cast<Index>(4 * t) + k);
-      Vec3 centre = Vec3::Zero();
-      for (int j : kFacet[k]) {
-        boundary.site.push_back(mesh.tets.corners[t][j]);
-        centre += sites[mesh.tets.corners[t][j]] / 3;
-      }
-      boundary.point.push_back(centre);
-    }
+    const auto& c = mesh.tets.corners[t];
+    for (int k = 0; k < 4; ++k)
+      if (!inside[mesh.tets.neighbours[t][k]])
+        boundary.push_back({c[kFacet[k][0]], c[kFacet[k][1]], c[kFacet[k][2]]});
   }
-  boundary.twin.assign(boundary.site.size(), kNone);
-  for (std::size_t f = 0; f < facets.size(); ++f)
-    for (int j = 0; j < 3; ++j) {
-      const Index a = boundary.site[3 * f + j], b = boundary.site[3 * f + (j + 1) % 3];
-      Index t = facets[f] / 4, facet = facets[f] % 4;
-      // Turn around a-b through the inside, from facet to facet.
-      for (;;) {
-        Index other = 0;
-        while (other == facet || mesh.tets.corners[t][other] == a || mesh.tets.corners[t][other] == b)
-          ++other;
-        const Index found = triangle[4 * t + other];
-        if (found != kNone) {
-          for (int i = 0; i < 3; ++i)
-            if (boundary.site[3 * found + i] == b && boundary.site[3 * found + (i + 1) % 3] == a)
-              boundary.twin[3 * f + j] = 3 * found + i;
-          break;
-        }
-        facet = mesh.mirror[t][other] % 4, t = mesh.mirror[t][other] / 4;
-      }
-    }
   return boundary;
 }
 

@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "dual_complex.h"
 #include "power_diagram.h"
 
 namespace filmsticking {
@@ -24,10 +23,7 @@ struct TetrahedralMesh {
 
 TetrahedralMesh make_tetrahedral_mesh(Tetrahedra tets, const std::vector<Vec3>& sites);
 
-/// The surface between the tetrahedra marked inside and the others; the infinite ones must be outside.
-/// Where more than two of its facets share an edge, those that bound the same piece of the inside are joined,
-/// so that pieces which only touch come apart.
-HalfEdgeComplex tetrahedral_boundary(const TetrahedralMesh& mesh, const std::vector<char>& inside,
-                                     const std::vector<Vec3>& sites);
+/// The facets between the tetrahedra marked inside and the others, counter-clockwise from outside.
+std::vector<Corners> tetrahedral_boundary(const TetrahedralMesh& mesh, const std::vector<char>& inside);
 
 }  // namespace filmsticking

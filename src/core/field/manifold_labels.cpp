@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "manifold_labels.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "label_islands.h"
+
+namespace filmsticking {
+namespace {
+
+// What a handle more costs in the repair, in sites off the surface: a wall that is pierced by a site of its
+// other side is covered there, not opened.
+constexpr double kHandlePrice = 20;
+// The first share of a site's worth at which it is reached for; it doubles when no site is left at that
+// price. The cheap ones first, as they often make the others cheap.
+constexpr double kFirstShare = 0.1;
+
+void unique_sorted(std::vector<Index>& v) {
+  std::sort(v.begin(), v.end());
+  v.erase(std::unique(v.begin(), v.end()), v.end());
+}
+
+}  // namespace
+
+ManifoldLabels::ManifoldLabels(const TetrahedralMesh& mesh, const SiteGeometry& geometry,
+                               const LabelCosts& costs, std::vector<char>& inside)
+    : mesh_(mesh),
+      geometry_(geometry),
+      costs_(costs),
+      inside_(inside),
+      seed_(geometry.near.size(), kNone),
+      census_(geometry.near.size()),
+      seen_(mesh.size(), 0) {
+  for (std::size_t t = 0; t < mesh.size(); ++t)
+    for (Index v : mesh.tets.corners[t])
+      if (v != kNone) seed_[v] = static_cast<Index>(t);
+  for (double c : costs.off) site_cost_ += c / static_cast<double>(costs.off.size());
+}
+
+int ManifoldLabels::corner(Index t, Index v) const {
+  const auto& c = mesh_.tets.corners[t];
+  return c[0] == v ? 0 : c[1] == v ? 1 : c[2] == v ? 2 : 3;
+}
+
+ManifoldLabels::Census ManifoldLabels::census(Index v) {
+  ++stamp_;
+  Census result;
+  star_.clear(), first_.clear();
+  waiting_.assign(1, seed_[v]);
+  while (!waiting_.empty()) {
+    const Index start = waiting_.back();
+    waiting_.pop_back();
+    if (seen_[start] == stamp_) continue;
+    const char label = inside_[start];
+    ++(label ? result.inside : result.outside);
+    first_.push_back(star_.size());
+    seen_[start] = stamp_;
+    star_.push_back(start);
+    for (std::size_t next = star_.size() - 1; next < star_.size(); ++next) {
+      const Index t = star_[next];
+      const int own = corner(t, v);
+      for (int k = 0; k < 4; ++k) {
+        if (k == own) continue;
+        const Index u = mesh_.tets.neighbours[t][k];
+        if (seen_[u] == stamp_) continue;
+        if (inside_[u] == label) {
+          seen_[u] = stamp_;
+          star_.push_back(u);
+        } else {
+          waiting_.push_back(u);
+        }
+      }
+    }
+  }
+  first_.push_back(star_.size());
+  return result;
+}
+
+// Of every site; returns those where the surface is not a disc.
+std::vector<Index> ManifoldLabels::take_census() {
+  std::vector<Index> singular;
+  for (std::size_t v = 0; v < seed_.size(); ++v) {
+    if (seed_[v] == kNone) continue;
+    census_[v] = census(static_cast<Index>(v));
+    if (census_[v].surplus() > 0) singular.push_back(static_cast<Index>(v));
+  }
+  return singular;
+}
+
+bool ManifoldLabels::allowed(const Move& move) const {
+  return !move.empty() &&
+         std::none_of(move.begin(), move.end(), [&](Index t) { return mesh_.tets.infinite(t); });
+}
+
+// Is one of the tetrahedra beside one of the other label? Else it would start an island.
+bool ManifoldLabels::grows(const Move& move) const {
+  for (Index t : move)
+    for (Index u : mesh_.tets.neighbours[t])
+      if (inside_[u] != inside_[t]) return true;
+  return false;
+}
+
+double ManifoldLabels::flip_cost(Index t) const {
+  double cost = inside_[t] ? costs_.hold[t] : -costs_.hold[t];
+  for (int k = 0; k < 4; ++k)
+    cost += inside_[mesh_.tets.neighbours[t][k]] == inside_[t] ? costs_.facet[t][k] : -costs_.facet[t][k];
+  return cost;
+}
+
+// What a move would change. Leaves the labels as they are.
+ManifoldLabels::Effect ManifoldLabels::effect(const Move& move) {
+  Effect e;
+  int facets = 0;
+  touched_.clear();
+  for (Index t : move) {
+    e.cost += flip_cost(t);
+    for (Index u : mesh_.tets.neighbours[t]) facets += inside_[u] == inside_[t] ? 1 : -1;
+    inside_[t] = !inside_[t];
+    for (Index v : mesh_.tets.corners[t])
+      if (std::find(touched_.begin(), touched_.end(), v) == touched_.end()) touched_.push_back(v);
+  }
+  // With all sheets apart the surface has three edges for two facets: V - E + F = V - F / 2.
+  e.euler = -facets / 2;
+  for (Index v : touched_) {
+    const Census now = census(v);
+    e.surplus += now.surplus() - census_[v].surplus();
+    e.euler += now.sheets() - census_[v].sheets();
+    e.cost += (static_cast<int>(now.off()) - static_cast<int>(census_[v].off())) * costs_.off[v];
+  }
+  for (Index t : move) inside_[t] = !inside_[t];
+  return e;
+}
+
+// Makes a move, and adds the sites that are singular then to a list.
+void ManifoldLabels::apply(const Move& move, std::vector<Index>& singular) {
+  touched_.clear();
+  for (Index t : move) {
+    inside_[t] = !inside_[t];
+    touched_.insert(touched_.end(), mesh_.tets.corners[t].begin(), mesh_.tets.corners[t].end());
+  }
+  unique_sorted(touched_);
+  for (Index v : touched_) {
+    census_[v] = census(v);
+    if (census_[v].surplus() > 0) singular.push_back(v);
+  }
+}
+
+// The shortest way through the star of v from one piece of it, star[begin, end), to another of the same
+// label.
+ManifoldLabels::Move ManifoldLabels::bridge(Index v, const std::vector<Index>& star, std::size_t begin,
+                                            std::size_t end) {
+  const char label = inside_[star[begin]];
+  std::vector<Index> queue(star.begin() + static_cast<std::ptrdiff_t>(begin),
+                           star.begin() + static_cast<std::ptrdiff_t>(end));
+  const std::size_t own = queue.size();
+  std::vector<std::size_t> from(own, 0);
+  ++stamp_;
+  for (Index t : queue) seen_[t] = stamp_;
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const Index t = queue[i];
+    const int skip = corner(t, v);
+    for (int k = 0; k < 4; ++k) {
+      const Index u = mesh_.tets.neighbours[t][k];
+      if (k == skip || seen_[u] == stamp_) continue;
+      if (inside_[u] == label) {
+        Move move;
+        for (std::size_t j = i; j >= own; j = from[j]) move.push_back(queue[j]);
+        return move;
+      }
+      seen_[u] = stamp_;
+      if (mesh_.tets.infinite(u)) continue;
+      queue.push_back(u);
+      from.push_back(i);
+    }
+  }
+  return {};
+}
+
+// What might help at a singular site: to give up a piece of its star or a tetrahedron of one, to join two
+// pieces, to relabel any tetrahedron, or to take the site off the surface. `erode`: only those that take from
+// the inside.
+std::vector<ManifoldLabels::Move> ManifoldLabels::moves_at(Index v, bool erode) {
+  std::vector<Move> moves;
+  const Census now = census(v);
+  const std::vector<Index> star = star_;
+  const std::vector<std::size_t> first = first_;
+  Move all_in, all_out;
+  for (std::size_t i = 0; i + 1 < first.size(); ++i) {
+    Move piece(star.begin() + static_cast<std::ptrdiff_t>(first[i]),
+               star.begin() + static_cast<std::ptrdiff_t>(first[i + 1]));
+    const bool in = inside_[piece[0]];
+    Move& all = in ? all_in : all_out;
+    all.insert(all.end(), piece.begin(), piece.end());
+    if ((in ? now.inside : now.outside) < 2) continue;
+    if (!in || !erode) moves.push_back(bridge(v, star, first[i], first[i + 1]));
+    if (in || !erode) moves.push_back(std::move(piece));
+  }
+  for (Index t : all_in) moves.push_back({t});
+  moves.push_back(std::move(all_in));
+  if (!erode) {
+    for (Index t : all_out) moves.push_back({t});
+    moves.push_back(std::move(all_out));
+  }
+  return moves;
+}
+
+ManifoldLabels::Move ManifoldLabels::best_move(Index v, bool erode) {
+  Move best;
+  double best_cost = std::numeric_limits<double>::infinity();
+  for (Move& move : moves_at(v, erode)) {
+    if (!allowed(move)) continue;
+    const Effect e = effect(move);
+    double cost = e.cost + e.surplus * site_cost_;
+    if (!erode) {
+      if (e.surplus >= 0) continue;
+      cost += std::max(0, -e.euler / 2) * kHandlePrice * site_cost_;
+    }
+    if (cost < best_cost) best_cost = cost, best = std::move(move);
+  }
+  return best;
+}
+
+// Until no site of the list, or that became singular on the way, is singular. Those where nothing lowers the
+// number of surplus pieces are left on stuck_; with `erode` there are none, as a site that has surplus pieces
+// has tetrahedra inside.
+void ManifoldLabels::lower(std::vector<Index> singular, bool erode) {
+  stuck_.clear();
+  std::vector<Index> next;
+  while (!singular.empty()) {
+    unique_sorted(singular);
+    next.clear();
+    for (Index v : singular) {
+      if (census_[v].surplus() == 0) continue;
+      const Move move = best_move(v, erode);
+      if (move.empty()) {
+        stuck_.push_back(v);
+        continue;
+      }
+      ++(erode ? counts_.erosions : counts_.repairs);
+      apply(move, next);
+    }
+    singular.swap(next);
+  }
+}
+
+void ManifoldLabels::repair() {
+  counts_.islands += drop_islands(mesh_, geometry_, inside_);
+  std::vector<Index> singular = take_census();
+  counts_.singular = static_cast<std::int64_t>(singular.size());
+  lower(std::move(singular), false);
+  lower(std::move(stuck_), true);
+  const std::int64_t islands = drop_islands(mesh_, geometry_, inside_);
+  counts_.islands += islands;
+  if (islands > 0) take_census();
+}
+
+void ManifoldLabels::warp(const std::vector<char>& aim) {
+  std::vector<Index> front, next, none;
+  for (std::size_t t = 0; t < mesh_.size(); ++t)
+    if (inside_[t] != aim[t] && !mesh_.tets.infinite(static_cast<Index>(t)))
+      front.push_back(static_cast<Index>(t));
+  while (!front.empty()) {
+    unique_sorted(front);
+    next.clear();
+    for (Index t : front) {
+      const Move move{t};
+      if (inside_[t] == aim[t] || !grows(move)) continue;
+      const Effect e = effect(move);
+      if (e.surplus != 0 || e.euler != 0) continue;
+      apply(move, none);
+      ++counts_.warped;
+      for (Index v : mesh_.tets.corners[t]) {
+        census(v);
+        for (Index u : star_)
+          if (inside_[u] != aim[u] && !mesh_.tets.infinite(u)) next.push_back(u);
+      }
+    }
+    front.swap(next);
+  }
+}
+
+// The cheapest way to bring v on for less than this share of its worth.
+ManifoldLabels::Move ManifoldLabels::best_reach(Index v, double share) {
+  Move best;
+  double best_cost = -(1 - share) * costs_.off[v];
+  const auto consider = [&](Move move) {
+    if (!allowed(move) || !grows(move)) return;
+    const Effect e = effect(move);
+    if (e.surplus == 0 && e.euler == 0 && e.cost < best_cost) best_cost = e.cost, best = std::move(move);
+  };
+  census(v);
+  const std::vector<Index> star = star_;
+  for (Index t : star) {
+    consider({t});
+    const int own = corner(t, v);
+    for (int k = 0; k < 4; ++k)
+      if (k != own && mesh_.tets.neighbours[t][k] > t) consider({t, mesh_.tets.neighbours[t][k]});
+  }
+  return best;
+}
+
+void ManifoldLabels::reach() {
+  std::vector<Index> none;
+  for (double share = kFirstShare;;) {
+    bool moved = false;
+    for (std::size_t v = 0; v < seed_.size(); ++v) {
+      if (seed_[v] == kNone || !census_[v].off()) continue;
+      const Move move = best_reach(static_cast<Index>(v), share);
+      if (move.empty()) continue;
+      apply(move, none);
+      ++counts_.reached;
+      moved = true;
+    }
+    if (moved) continue;
+    if (share == 1) break;
+    share = std::min(1.0, 2 * share);
+  }
+}
+
+}  // namespace filmsticking

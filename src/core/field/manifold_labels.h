@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "site_geometry.h"
+#include "tetrahedral_mesh.h"
+
+namespace filmsticking {
+
+/// What a labelling of the tetrahedra as inside or outside costs, in units of area.
+struct LabelCosts {
+  const std::vector<std::array<double, 4>>& facet;  ///< [t][k]: to have facet k of t on the surface
+  std::vector<double> hold;                         ///< [t]: > 0 to leave t outside; < 0 to have it inside
+  std::vector<double> off;                          ///< [site]: to leave it off the surface
+};
+
+/// What was done to a labelling.
+struct LabelCounts {
+  std::int64_t islands = 0;   ///< torn-off pieces of either label that were given up
+  std::int64_t singular = 0;  ///< sites where the surface was not a disc at first
+  std::int64_t repairs = 0;   ///< moves that lowered the number of such sites
+  std::int64_t erosions = 0;  ///< moves that only took from the inside, where none lowered it
+  std::int64_t warped = 0;    ///< tetrahedra relabelled towards `aim`
+  std::int64_t reached = 0;   ///< moves that brought single sites on to the surface
+};
+
+/// Relabels tetrahedra so that the surface between inside and outside is a 2-manifold, in three rooms.
+///
+/// Guarantees, whatever the labels and costs:
+///  - the surface is closed and a manifold. It is one exactly if at every site those tetrahedra of its star
+///    that are inside are one piece, joined by facets at the site, and those outside are one piece: the two
+///    parts of a sphere around the site are discs then, and an edge with more than two facets would split one
+///    of them. So all there is to keep is local;
+///  - it does not cut itself, being part of a triangulation of space;
+///  - it ends: the repair lowers the number of surplus pieces or else takes from the inside; the warp lowers
+///    the number of differences; the reach lowers the cost.
+class ManifoldLabels {
+ public:
+  /// `inside` is read and relabelled in place; infinite tetrahedra must be outside and stay there.
+  ManifoldLabels(const TetrahedralMesh& mesh, const SiteGeometry& geometry, const LabelCosts& costs,
+                 std::vector<char>& inside);
+
+  /// Makes the surface a manifold. The others need that it is one.
+  void repair();
+
+  /// Goes towards the labels `aim` as far as it can without a change of topology: each step relabels one
+  /// tetrahedron and leaves a manifold of the same Euler characteristic, as homotopic deformation does in
+  /// digital topology (Kong and Rosenfeld 1989). So it takes the sites that `aim` holds and leaves its
+  /// handles and islands.
+  void warp(const std::vector<char>& aim);
+
+  /// Brings sites off the surface on to it where relabelling one or two tetrahedra at the site does it, keeps
+  /// the topology and costs less than the site is worth (sculpting by Boissonnat 1984, in both directions).
+  void reach();
+
+  const LabelCounts& counts() const { return counts_; }
+
+ private:
+  // A star in pieces: those parts of it that are inside and outside, each connected through facets at the
+  // site.
+  struct Census {
+    int inside = 0, outside = 0;
+    int surplus() const { return std::max(0, inside - 1) + std::max(0, outside - 1); }
+    int sheets() const { return inside + outside - 1; }  // of the surface, at the site
+    bool off() const { return inside == 0 || outside == 0; }
+  };
+  using Move = std::vector<Index>;  // tetrahedra that change sides
+  struct Effect {
+    int surplus = 0;
+    int euler = 0;  // of the surface with its sheets at singular places taken apart; -2: one handle more
+    double cost = 0;
+  };
+
+  int corner(Index t, Index v) const;
+  Census census(Index v);
+  std::vector<Index> take_census();
+  bool allowed(const Move& move) const;
+  bool grows(const Move& move) const;
+  double flip_cost(Index t) const;
+  Effect effect(const Move& move);
+  void apply(const Move& move, std::vector<Index>& singular);
+  Move bridge(Index v, const std::vector<Index>& star, std::size_t begin, std::size_t end);
+  std::vector<Move> moves_at(Index v, bool erode);
+  Move best_move(Index v, bool erode);
+  Move best_reach(Index v, double share);
+  void lower(std::vector<Index> singular, bool erode);
+
+  const TetrahedralMesh& mesh_;
+  const SiteGeometry& geometry_;
+  const LabelCosts& costs_;
+  std::vector<char>& inside_;
+  LabelCounts counts_;
+  double site_cost_ = 0;     // the mean of costs_.off
+  std::vector<Index> seed_;  // a tetrahedron at each site
+  std::vector<Census> census_;
+  // Of the last census: the star, piece by piece, and where each piece starts in it, and the end.
+  std::vector<Index> star_;
+  std::vector<std::size_t> first_;
+  // Scratch.
+  std::vector<std::uint32_t> seen_;
+  std::uint32_t stamp_ = 0;
+  std::vector<Index> waiting_, touched_, stuck_;
+};
+
+}  // namespace filmsticking
