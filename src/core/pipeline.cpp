@@ -34,6 +34,8 @@ constexpr double kOffPrice = 5;
 // one spacing larger. The slow rise leaves chance gaps in a thin wall to the evidence.
 constexpr double kCarveWidths[] = {2, 4};
 constexpr double kCarveSlope = 0.2;
+// How much surer of the inside for a width one spacing smaller.
+constexpr double kInsideSlope = 3;
 // A wrap's ball in units of the box's longest side.
 constexpr double kWrapAlpha = 0.05;
 // An inserted site may be this many longest edges of its face away from it.
@@ -170,13 +172,11 @@ Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conv
   return candidate;
 }
 
-std::vector<double> Pipeline::carve_belief(double limit) const {
-  const std::vector<double> width = carve_widths(mesh_, sites_.perturbed, geometry_.spacing);
-  std::vector<double> belief(mesh_.size(), -1);
-  // Sure of the inside from a third of a spacing below the limit.
-  for (std::size_t t = 0; t < mesh_.size(); ++t)
-    if (std::isfinite(width[t]))
-      belief[t] = std::clamp((limit - width[t]) * (width[t] > limit ? kCarveSlope : 3), -1.0, 1.0);
+// Sure of the inside from a third of a spacing below the limit, of the outside from 1 / slope above it.
+std::vector<double> Pipeline::carve_belief(double limit, double slope) const {
+  std::vector<double> belief =
+      carve_widths(mesh_, sites_.perturbed, geometry_.spacing, limit - 1 / kInsideSlope, limit + 1 / slope);
+  for (double& b : belief) b = (limit - b) * (b > limit ? slope : kInsideSlope);
   return belief;
 }
 
@@ -209,11 +209,11 @@ bool Pipeline::settled(const Candidate& candidate) const {
 // where there is no telling inside from outside (open surfaces), by the film from the sphere.
 Pipeline::Candidate Pipeline::carve() {
   monitor_.enter("signed field", 0.25);
-  Candidate best = cut(signed_field(mesh_, evidence_, carve_belief(2)), kConviction);
+  Candidate best = cut(signed_field(mesh_, evidence_, carve_belief(2, kInsideSlope)), kConviction);
   if (best.weak <= kLittleTrouble && !best.film.triangles.empty()) return best;
   for (const double width : kCarveWidths) {
     monitor_.enter("carving", monitor_.share());
-    Candidate other = cut(carve_belief(width), kConviction);
+    Candidate other = cut(carve_belief(width, kCarveSlope), kConviction);
     if (other.score() < best.score()) best = std::move(other);
   }
   const auto enough = static_cast<std::int64_t>(kMuchTrouble * static_cast<double>(sites_.size()));
@@ -276,7 +276,7 @@ std::vector<Vec3> Pipeline::with_virtual_sites(const GuidingSurface& film) const
   std::vector<char> off(sites.size(), 1), wanted(mesh_.size(), 0);
   for (Index s : film.site)
     if (s != kNone) off[s] = 0;
-  const std::vector<double> width = carve_widths(mesh_, sites, geometry_.spacing);
+  const std::vector<double> width = carve_widths(mesh_, sites, geometry_.spacing, 1, 2);
   for (std::size_t t = 0; t < mesh_.size(); ++t) {
     if (mesh_.tets.infinite(static_cast<Index>(t)) || width[t] < 2) continue;
     for (Index i : mesh_.tets.corners[t]) wanted[t] = static_cast<char>(wanted[t] | off[i]);

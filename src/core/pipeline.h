@@ -41,7 +41,7 @@ class Pipeline {
   std::vector<Vec3> with_virtual_sites(const GuidingSurface& film) const;
   Candidate finish(GuidingSurface film);
   Candidate cut(const std::vector<double>& belief, double conviction);
-  std::vector<double> carve_belief(double limit) const;
+  std::vector<double> carve_belief(double limit, double slope) const;
   std::vector<double> winding_belief(const GuidingSurface& film) const;
   std::vector<double> film_belief(const GuidingSurface& film) const;
   bool settled(const Candidate& candidate) const;

@@ -36,28 +36,43 @@ double gate_width(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
 }  // namespace
 
 std::vector<double> carve_widths(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
-                                 const std::vector<double>& spacing) {
+                                 const std::vector<double>& spacing, double least, double most) {
   std::vector<std::array<double, 4>> gate(mesh.size());
   parallel_each(mesh.size(), [&](std::size_t t) {
-    for (int k = 0; k < 4; ++k) gate[t][k] = gate_width(mesh, sites, spacing, static_cast<Index>(t), k);
+    for (int k = 0; k < 4; ++k)
+      gate[t][k] = std::clamp(gate_width(mesh, sites, spacing, static_cast<Index>(t), k), least, most);
   });
-  // Widest paths from infinity, by Dijkstra's order.
-  std::vector<double> width(mesh.size(), 0);
+  // Widest paths from infinity, by Dijkstra's order; what is as wide as it gets needs no order.
+  std::vector<double> width(mesh.size(), least);
+  std::vector<Index> widest;
   std::priority_queue<std::pair<double, Index>> front;
   for (std::size_t t = 0; t < mesh.size(); ++t)
-    if (mesh.tets.infinite(static_cast<Index>(t))) {
-      width[t] = std::numeric_limits<double>::infinity();
-      front.emplace(width[t], static_cast<Index>(t));
-    }
-  while (!front.empty()) {
-    const auto [w, t] = front.top();
-    front.pop();
-    if (w < width[t]) continue;
+    if (mesh.tets.infinite(static_cast<Index>(t))) width[t] = most, widest.push_back(static_cast<Index>(t));
+  const auto leave = [&](Index t) {
     for (int k = 0; k < 4; ++k) {
       const Index u = mesh.tets.neighbours[t][k];
-      const double through = std::min(w, gate[t][k]);
-      if (through > width[u]) width[u] = through, front.emplace(through, u);
+      const double through = std::min(width[t], gate[t][k]);
+      if (!(through > width[u])) continue;
+      width[u] = through;
+      if (through == most) {
+        widest.push_back(u);
+      } else {
+        front.emplace(through, u);
+      }
     }
+  };
+  while (!widest.empty() || !front.empty()) {
+    Index t;
+    if (!widest.empty()) {
+      t = widest.back();
+      widest.pop_back();
+    } else {
+      const auto [w, next] = front.top();
+      front.pop();
+      if (w < width[next]) continue;
+      t = next;
+    }
+    leave(t);
   }
   return width;
 }
