@@ -12,7 +12,8 @@ namespace {
 // How much a facet couples its two sides, by votes: 1 the same, -1 opposite.
 constexpr double kCoupling[4] = {1.0, 0.3, -0.3, -1.0};
 constexpr int kMaxIterations = 300;
-constexpr double kTolerance = 5e-3;  // of the residual; only the sign and the rough size of the field matter
+// Of the residual, per tetrahedron; only the sign and the rough size of the field matter.
+constexpr double kTolerance = 4e-4;
 
 }  // namespace
 
@@ -40,14 +41,9 @@ std::vector<double> signed_field(const TetrahedralMesh& mesh, const FacetEvidenc
     for (int k = 0; k < 4; ++k) sum -= coupling[t][k] * v[mesh.tets.neighbours[t][k]];
     return sum;
   };
-  // How far nothing but the given outside is from a solution: the measure for the residual.
-  const double scale = parallel_sum(n, [&](std::size_t t) {
-    if (given(t)) return 0.0;
-    double pull = 0;
-    for (int k = 0; k < 4; ++k)
-      if (given(mesh.tets.neighbours[t][k])) pull -= coupling[t][k];
-    return pull * pull / diagonal[t];
-  });
+  // The residual that a field would have which is wrong by one everywhere. (What the given outside pulls at,
+  // the usual measure, is little for a large cloud: few of its tetrahedra are beside infinite ones.)
+  const double scale = parallel_sum(n, [&](std::size_t t) { return diagonal[t]; });
   double rz = parallel_sum(n, [&](std::size_t t) {
     residual[t] = given(t) ? 0 : -row(x, t);
     direction[t] = residual[t] / diagonal[t];
