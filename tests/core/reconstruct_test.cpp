@@ -2,6 +2,9 @@
 // The guarantees of reconstruct(), by number, over generated and real clouds.
 #include "filmsticking/reconstruct.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -108,6 +111,44 @@ TEST(Reconstruct, Guarantee5_SameBytesForAnyThreadsAndOrder) {
     std::sort(b.begin(), b.end());
     EXPECT_EQ(a, b);
   }
+}
+
+bool cuts_itself(const Mesh& mesh) {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  CGAL::Surface_mesh<Kernel::Point_3> surface;
+  using Vertex = CGAL::Surface_mesh<Kernel::Point_3>::Vertex_index;
+  for (const Point& p : mesh.positions) surface.add_vertex({p[0], p[1], p[2]});
+  for (const Triangle& t : mesh.triangles)
+    surface.add_face(Vertex(static_cast<unsigned>(t[0])), Vertex(static_cast<unsigned>(t[1])),
+                     Vertex(static_cast<unsigned>(t[2])));
+  return CGAL::Polygon_mesh_processing::does_self_intersect(surface);
+}
+
+// Thin plates down to a twentieth of the spacing and points anywhere in a box: where a carved surface comes
+// out (no film steps were needed), it is part of a triangulation.
+TEST(Reconstruct, ACarvedSurfaceNeverCutsItself) {
+  int carved = 0;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    test::Random random(seed);
+    std::vector<Point> scatter(400);
+    for (Point& p : scatter)
+      for (double& x : p) x = random.uniform();
+    std::vector<std::vector<Point>> all = {test::torus(1500, seed), scatter};
+    for (const double thickness : {0.05, 0.02, 0.002})
+      all.push_back(test::box(1500, seed, {1, 1, thickness}));
+    for (const auto& points : all) {
+      // A turned plate: on the axes its points are on common planes, where flat tetrahedra have no inside.
+      std::vector<Point> turned = points;
+      for (Point& p : turned)
+        p = {0.6 * p[0] - 0.8 * p[2] + random.uniform() * 1e-4, p[1] + random.uniform() * 1e-4,
+             0.8 * p[0] + 0.6 * p[2] + random.uniform() * 1e-4};
+      const Result result = reconstruct(turned);
+      if (result.status != Status::Ok || !result.report.steps.empty()) continue;
+      ++carved;
+      EXPECT_FALSE(cuts_itself(mesh_of(result, turned))) << "seed " << seed;
+    }
+  }
+  EXPECT_GT(carved, 40);
 }
 
 TEST(Reconstruct, FindsTheTopology) {
