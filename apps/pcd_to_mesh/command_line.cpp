@@ -19,14 +19,14 @@ po::options_description visible_options() {
       "preset", po::value<std::string>()->value_name("default|paper"),
       "where the options start from; paper: sphere, 1000 virtual sites, one Poisson round")(
       "init", po::value<std::string>()->value_name("sphere|wrap|carve"),
-      "the surface that the film starts from")(
+      "carve (the default): no film; else the surface that a film starts from")(
       "field", po::value<std::string>()->value_name("poisson|sculpt|none"),
       "how dangling plates are removed and the topology is corrected")(
       "ring", po::value<std::string>()->value_name("smooth|nearest"),
       "the ring that a point with several regions keeps")(
       "virtual-sites", po::value<std::string>()->value_name("N|adaptive"), "virtual sites")(
       "no-weights", "attract points by the Voronoi diagram alone")(
-      "no-insert", "leave out the points that the film does not reach")(
+      "no-insert", "leave out the points that are off at the end")(
       "max-steps", po::value<std::string>()->value_name("N"), "film steps before the first field")(
       "max-rounds", po::value<std::string>()->value_name("N"), "rounds of field and film")(
       "threads", po::value<std::string>()->value_name("N"), "threads; 0: all; the mesh is the same")(

@@ -12,8 +12,9 @@ namespace filmsticking {
 enum class InitialSurface {
   Sphere,  ///< the bounding sphere: the paper's choice
   Wrap,    ///< a coarse alpha wrap of the points (CGAL)
-  Carve,   ///< the Delaunay tetrahedra that no ball of a few spacings reaches from outside
-  Given,   ///< `Options::guiding_surface`
+  Carve,  ///< none: the surface is carved out of the Delaunay tetrahedra, and the film from the sphere is for
+          ///< clouds that give no inside
+  Given,  ///< `Options::guiding_surface`
 };
 
 /// How dangling plates are removed and the topology is corrected (paper, section 5).
