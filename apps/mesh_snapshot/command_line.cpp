@@ -16,22 +16,31 @@ namespace {
 
 constexpr int kPanelSize = 700;     // pixels
 constexpr int kMostPixels = 16384;  // a side
+constexpr int kMostTurns = 720;
 
 po::options_description visible_options() {
+  const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
   po::options_description options("Options", 100);
-  options.add_options()("output,o", po::value<std::string>()->value_name("OUT.png"), "the picture")(
-      "size", po::value<std::string>()->value_name("WxH"), "size of the whole picture in pixels")(
-      "points", po::value<std::string>()->value_name("CLOUD"), "draw this cloud over every mesh")(
-      "view", po::value<std::string>()->value_name("AZ,EL"),
-      "degrees: around the upright axis, and above the horizon; default 30,20")(
-      "up", po::value<std::string>()->value_name("y|z"), "the upright axis; default y")(
-      "edges", "draw the edges of the triangles")(
+  options.add_options()("output,o", text("OUT"), "the picture, .png; or an animation, .gif")(
+      "size", text("WxH"), "size of the whole picture in pixels")("points", text("CLOUD"),
+                                                                  "draw this cloud over every mesh")(
+      "colours", "show the colours that the files have")("reference", text("MESH"),
+                                                         "paint the faces by their distance to this mesh")(
+      "deviation", "paint the points by their distance to the mesh")(
+      "range", po::value<double>()->value_name("D"),
+      "distance at the end of the colours; default: a round one beyond 99 % of those that occur")(
+      "steps", text("DIR"), "an evolution, as pcd_to_mesh --dump-steps DIR writes it: one picture a step")(
+      "turntable", po::value<int>()->value_name("N"),
+      "a full turn around the upright axis in N pictures, 2 to 720")(
+      "fps", po::value<double>()->value_name("R"), "pictures a second of a .gif, 1 to 50; default 12")(
+      "view", text("AZ,EL"), "degrees: around the upright axis, and above the horizon; default 30,20")(
+      "up", text("y|z"), "the upright axis; default y")("edges", "draw the edges of the triangles")(
       "grey-backs", "paint back faces grey, so that only the edges of holes are red")(
-      "columns", po::value<int>()->value_name("N"), "pictures in a row; default up to 4")(
+      "columns", po::value<int>()->value_name("N"), "panels in a row; default up to 4")(
       "labels", "write the file's name under every mesh")(
       "label", po::value<std::vector<std::string>>()->value_name("TEXT"),
-      "write a text under a mesh; once for every mesh, in their order")(
-      "fit", po::value<std::string>()->value_name("all|row|each"),
+      "write a text under a panel; once for every panel, in their order")(
+      "fit", text("all|row|each"),
       "what shares one scale and middle: all meshes (default), those of a row, or none")("help",
                                                                                          "print this text");
   return options;
@@ -68,21 +77,45 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   command.help = given.count("help") > 0;
   if (command.help) return command;
   if (given.count("mesh")) command.meshes = given["mesh"].as<std::vector<std::string>>();
-  if (command.meshes.empty()) throw UsageError("a mesh is needed; --help tells more");
+  if (given.count("steps")) command.steps = given["steps"].as<std::string>();
+  const int panels = static_cast<int>(command.meshes.size()) + (command.steps.empty() ? 0 : 1);
+  if (panels == 0) throw UsageError("a mesh is needed, or --steps; --help tells more");
   if (!given.count("output")) throw UsageError("-o OUT.png is needed; --help tells more");
   command.output = given["output"].as<std::string>();
-  if (io::extension_of(command.output) != ".png") throw UsageError("the picture's name must end in .png");
+  const std::string extension = io::extension_of(command.output);
+  if (extension != ".png" && extension != ".gif")
+    throw UsageError("the picture's name must end in .png or .gif");
   if (given.count("points")) command.points = given["points"].as<std::string>();
   command.labels = given.count("labels") > 0;
-
   if (given.count("label")) command.captions = given["label"].as<std::vector<std::string>>();
-  if (!command.captions.empty() && command.captions.size() != command.meshes.size())
-    throw UsageError("--label is needed once for every mesh, or not at all");
+  if (!command.captions.empty() && static_cast<int>(command.captions.size()) != panels)
+    throw UsageError("--label is needed once for every panel, or not at all");
+
+  if (given.count("reference")) command.reference = given["reference"].as<std::string>();
+  command.deviation = given.count("deviation") > 0;
+  if (command.deviation && command.points.empty()) throw UsageError("--deviation is for --points");
+  if (given.count("range")) {
+    command.range = given["range"].as<double>();
+    if (!(command.range > 0) || !std::isfinite(command.range))
+      throw UsageError("--range takes a distance above zero");
+    if (command.reference.empty() && !command.deviation)
+      throw UsageError("--range is for --reference and --deviation");
+  }
+  if (given.count("turntable")) {
+    command.turns = given["turntable"].as<int>();
+    if (command.turns < 2 || command.turns > kMostTurns)
+      throw UsageError("--turntable takes a whole number from 2 to " + std::to_string(kMostTurns));
+  }
+  if (given.count("fps")) {
+    command.pictures_per_second = given["fps"].as<double>();
+    if (!(command.pictures_per_second >= 1 && command.pictures_per_second <= 50))
+      throw UsageError("--fps takes a number from 1 to 50");
+  }
 
   View& view = command.view;
-  const int panels = static_cast<int>(command.meshes.size());
-  view.edges = given.count("edges") > 0;
-  view.grey_backs = given.count("grey-backs") > 0;
+  view.style.edges = given.count("edges") > 0;
+  view.style.grey_backs = given.count("grey-backs") > 0;
+  view.style.colours = given.count("colours") > 0;
   view.columns = given.count("columns") ? given["columns"].as<int>() : std::min(panels, 4);
   if (view.columns < 1) throw UsageError("--columns takes a whole number from 1 on");
   view.columns = std::min(view.columns, panels);
@@ -97,13 +130,13 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     view.height = static_cast<int>(height);
   }
   if (given.count("view") &&
-      (!parse_pair(given["view"].as<std::string>(), ',', view.azimuth, view.elevation) ||
-       !std::isfinite(view.azimuth) || !(std::abs(view.elevation) <= 90)))
+      (!parse_pair(given["view"].as<std::string>(), ',', view.angles.azimuth, view.angles.elevation) ||
+       !std::isfinite(view.angles.azimuth) || !(std::abs(view.angles.elevation) <= 90)))
     throw UsageError("--view takes two angles in degrees like 30,20, the second from -90 to 90");
   if (given.count("up")) {
     const std::string up = given["up"].as<std::string>();
     if (up != "y" && up != "z") throw UsageError("--up takes y or z");
-    view.z_up = up == "z";
+    view.angles.z_up = up == "z";
   }
   if (given.count("fit")) {
     const std::string fit = given["fit"].as<std::string>();
@@ -115,14 +148,24 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
 
 std::string usage() {
   std::ostringstream text;
-  text << "usage: mesh_snapshot MESH.. -o OUT.png [options]\n\n"
+  text << "usage: mesh_snapshot MESH.. -o OUT.png [options]\n"
+          "       mesh_snapshot [MESH..] --steps DIR -o OUT.gif [options]\n\n"
           "Draws meshes (.ply .obj .stl .vtk) side by side, all from the same view. Front faces are light, "
           "back\n"
           "faces and the edges of holes red, edges with more than two faces violet. A MESH \"-\" leaves its "
           "place\n"
           "empty. It needs an X display:\n"
           "on a machine without one run it as  xvfb-run -a mesh_snapshot ..\n\n"
-       << visible_options();
+          "With --turntable or --steps there are several pictures: OUT.gif is an animation, and OUT.png "
+          "stands for\n"
+          "OUT_000.png, OUT_001.png ... With both, the evolution goes on during one turn. --steps takes the "
+          "first\n"
+          "place, before the meshes.\n\n"
+          "Distances are painted pale yellow (zero), green, blue (the end of the scale and beyond), grey "
+          "where there\n"
+          "is none, on both sides of a face; a face has the largest one of its corners and its middle.\n\n"
+       << visible_options()
+       << "\nExit status: 0 with all pictures written; 2 for a wrong command line, else 1.\n";
   return text.str();
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scene.h"
+#include "sheet.h"
 
 namespace filmsticking::app {
 
@@ -14,9 +14,15 @@ constexpr char kNoMesh[] = "-";
 
 /// What the user asked mesh_snapshot for.
 struct CommandLine {
-  std::vector<std::string> meshes;  ///< kNoMesh: an empty panel
-  std::string points;               ///< cloud to draw over every mesh; empty: none
-  std::string output;
+  std::vector<std::string> meshes;    ///< kNoMesh: an empty panel
+  std::string steps;                  ///< folder with an evolution, a panel before the meshes; empty: none
+  std::string points;                 ///< cloud to draw over every mesh; empty: none
+  std::string reference;              ///< mesh that the faces are painted by their distance to; empty: none
+  bool deviation = false;             ///< paint the points by their distance to the mesh
+  double range = 0;                   ///< the distance at the end of the colours; 0: chosen
+  int turns = 1;                      ///< pictures of a turn; 1: none
+  double pictures_per_second = 12;    ///< of an animation
+  std::string output;                 ///< .png or .gif
   bool labels = false;                ///< the names of the files
   std::vector<std::string> captions;  ///< texts instead, one a mesh; empty: none
   View view;

@@ -1,43 +1,116 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// mesh_snapshot: a picture of one or more meshes.
+// mesh_snapshot: a picture or an animation of one or more meshes.
+#include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <new>
+#include <optional>
 
 #include "command_line.h"
 #include "io/files.h"
 #include "io/io_error.h"
 #include "io/model_file.h"
 #include "io/with_file.h"
-#include "scene.h"
+#include "scene/deviation.h"
+#include "scene/image.h"
+#include "scene/steps.h"
+#include "sheet.h"
 
+namespace fs = std::filesystem;
 using namespace filmsticking;
 using namespace filmsticking::app;
 using io::with_file;
 
 namespace {
 
-void run(const CommandLine& command) {
-  const char* display = std::getenv("DISPLAY");
-  if (!display || !*display) throw io::IoError("there is no X display; xvfb-run -a brings one");
+/// Of all pictures of a GIF together; they are in memory at one time.
+constexpr double kMostPixels = 100e6;
 
-  with_file(command.output, [&] { io::check_writable(command.output); });
+/// Reads all that is drawn.
+std::vector<Panel> read_panels(const CommandLine& command) {
   std::vector<Panel> panels;
-  for (const std::string& path : command.meshes) {
+  const auto add = [&](const std::string& path, std::vector<Film> films) {
     Panel panel;
-    if (path != kNoMesh) panel.mesh = with_file(path, [&] { return io::read_mesh(path); });
-    if (command.labels) panel.label = std::filesystem::path(path).filename().string();
+    panel.films = std::move(films);
+    if (command.labels) panel.label = fs::path(path).filename().string();
     if (!command.captions.empty()) panel.label = command.captions[panels.size()];
     panels.push_back(std::move(panel));
+  };
+  if (!command.steps.empty()) {
+    std::vector<Film> films;
+    for (scene::Step& step : scene::read_steps(command.steps))
+      films.push_back({std::move(step.film), {}, {}});
+    add(command.steps, std::move(films));
   }
-  std::vector<Point> points;
-  if (!command.points.empty())
-    points = with_file(command.points, [&] { return io::read_cloud(command.points).positions; });
+  for (const std::string& path : command.meshes) {
+    Film film;
+    if (path != kNoMesh) film.mesh = with_file(path, [&] { return io::read_mesh(path); });
+    add(path, {std::move(film)});
+  }
+  return panels;
+}
 
-  const std::string png = render_png(panels, points, command.view);
-  with_file(command.output, [&] { io::write_file(command.output, png); });
-  std::printf("wrote %s (%d x %d)\n", command.output.c_str(), command.view.width, command.view.height);
+/// Measures what is painted, and chooses the end of the colours.
+void measure(const CommandLine& command, const io::Model& cloud, std::vector<Panel>& panels, double& scale) {
+  std::vector<double> all;
+  const auto keep = [&all](const scene::Values& values) {
+    all.insert(all.end(), values.begin(), values.end());
+  };
+  std::optional<scene::Deviation> reference;
+  if (!command.reference.empty())
+    with_file(command.reference, [&] { reference.emplace(io::read_mesh(command.reference)); });
+  for (Panel& panel : panels)
+    for (Film& film : panel.films) {
+      if (film.mesh.triangles.empty()) continue;
+      if (reference) keep(film.face_values = reference->of_faces(film.mesh));
+      if (command.deviation) keep(film.point_values = scene::Deviation(film.mesh).of_points(cloud.positions));
+    }
+  scale = command.range > 0 ? command.range : scene::scale_length(std::move(all));
+}
+
+/// "out.png" to "out_007.png".
+std::string numbered(const std::string& path, int number) {
+  char ending[16];
+  std::snprintf(ending, sizeof ending, "_%03d.png", number);
+  return fs::path(path).replace_extension().string() + ending;
+}
+
+void run(CommandLine command) {
+  with_file(command.output, [&] { io::check_writable(command.output); });
+  std::vector<Panel> panels = read_panels(command);
+  io::Model cloud;
+  if (!command.points.empty())
+    cloud = with_file(command.points, [&] { return io::read_cloud(command.points); });
+  measure(command, cloud, panels, command.view.style.scale);
+
+  std::size_t pictures = static_cast<std::size_t>(command.turns);
+  if (command.turns == 1)
+    for (const Panel& panel : panels) pictures = std::max(pictures, panel.films.size());
+  const View& view = command.view;
+  const bool animation = io::extension_of(command.output) == ".gif";
+  if (animation && static_cast<double>(pictures) * view.width * view.height > kMostPixels)
+    throw io::IoError("the animation is too large; take fewer pictures or a smaller --size");
+
+  const scene::DisplayConnection display;
+  std::vector<vtkSmartPointer<vtkImageData>> film;
+  int number = 0;
+  draw_sheet(panels, cloud, view, command.turns, [&](const vtkSmartPointer<vtkImageData>& picture) {
+    if (animation) {
+      film.push_back(picture);
+      return;
+    }
+    const std::string path = pictures > 1 ? numbered(command.output, number++) : command.output;
+    with_file(path, [&] { io::write_file(path, scene::encode_png(picture)); });
+  });
+  if (animation)
+    with_file(command.output,
+              [&] { io::write_file(command.output, scene::encode_gif(film, command.pictures_per_second)); });
+  const std::string written = animation || pictures == 1 ? command.output
+                                                         : numbered(command.output, 0) + " to " +
+                                                               numbered(command.output, number - 1);
+  std::printf("wrote %s (%d x %d", written.c_str(), view.width, view.height);
+  if (pictures > 1) std::printf(", %zu pictures", pictures);
+  std::puts(")");
 }
 
 }  // namespace

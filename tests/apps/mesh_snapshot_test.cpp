@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // mesh_snapshot as a user runs it; what it drew is judged by its pixels.
+#include <gif_lib.h>
 #include <gtest/gtest.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 
 #include "io/model_file.h"
@@ -17,6 +19,7 @@
 namespace filmsticking::test {
 namespace {
 
+namespace fs = std::filesystem;
 using io::Model;
 
 /// A cube; `hole` leaves one side out, `inside_out` turns its faces.
@@ -48,20 +51,35 @@ struct Pixels {
   double white = 0, red = 0, grey = 0, blue = 0, violet = 0;
 };
 
-/// Counts the columns of pixels from `begin` to `end`, both as shares of the width.
-Pixels read_pixels(const std::string& path, double begin = 0, double end = 1) {
+/// The upper row first.
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<io::Colour> pixels;
+};
+
+Picture read_picture(const std::string& path) {
   vtkNew<vtkPNGReader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
   vtkImageData* image = reader->GetOutput();
+  Picture picture{image->GetDimensions()[0], image->GetDimensions()[1], {}};
+  for (int y = picture.height - 1; y >= 0; --y)
+    for (int x = 0; x < picture.width; ++x) {
+      const auto* rgb = static_cast<const unsigned char*>(image->GetScalarPointer(x, y, 0));
+      picture.pixels.push_back({rgb[0], rgb[1], rgb[2]});
+    }
+  return picture;
+}
+
+/// Counts the columns of pixels from `begin` to `end`, both as shares of the width.
+Pixels count_pixels(const Picture& picture, double begin = 0, double end = 1) {
   Pixels pixels;
-  pixels.width = image->GetDimensions()[0];
-  pixels.height = image->GetDimensions()[1];
+  pixels.width = picture.width;
+  pixels.height = picture.height;
   double count = 0;
   for (int x = static_cast<int>(begin * pixels.width); x < static_cast<int>(end * pixels.width); ++x)
     for (int y = 0; y < pixels.height; ++y) {
-      const auto* rgb = static_cast<const unsigned char*>(image->GetScalarPointer(x, y, 0));
-      const int r = rgb[0], g = rgb[1], b = rgb[2];
+      const auto [r, g, b] = picture.pixels[static_cast<std::size_t>(y) * picture.width + x];
       ++count;
       if (std::min({r, g, b}) > 250) {
         ++pixels.white;
@@ -78,6 +96,10 @@ Pixels read_pixels(const std::string& path, double begin = 0, double end = 1) {
   for (double* share : {&pixels.white, &pixels.red, &pixels.grey, &pixels.blue, &pixels.violet})
     *share /= count;
   return pixels;
+}
+
+Pixels read_pixels(const std::string& path, double begin = 0, double end = 1) {
+  return count_pixels(read_picture(path), begin, end);
 }
 
 class MeshSnapshot : public ::testing::Test {
@@ -217,6 +239,134 @@ TEST_F(MeshSnapshot, LargeCoordinatesAreDrawnSharp) {
   EXPECT_EQ(pixels.red, 0);
 }
 
+/// Decodes a GIF and returns how many pictures there are.
+int split_gif(const std::string& path, std::vector<Picture>& pictures) {
+  int error = 0;
+  GifFileType* gif = DGifOpenFileName(path.c_str(), &error);
+  if (!gif) return 0;
+  EXPECT_EQ(DGifSlurp(gif), GIF_OK);
+  for (int i = 0; i < gif->ImageCount; ++i) {
+    const SavedImage& image = gif->SavedImages[i];
+    Picture picture{image.ImageDesc.Width, image.ImageDesc.Height, {}};
+    for (int k = 0; k < picture.width * picture.height; ++k) {
+      const GifColorType& colour = gif->SColorMap->Colors[image.RasterBits[k]];
+      picture.pixels.push_back({colour.Red, colour.Green, colour.Blue});
+    }
+    pictures.push_back(std::move(picture));
+  }
+  const int count = gif->ImageCount;
+  DGifCloseFile(gif, nullptr);
+  return count;
+}
+
+TEST_F(MeshSnapshot, PaintsFacesByTheirDistanceToAReference) {
+  Model raised = cube(false, false);
+  for (const int top : {2, 3, 6, 7}) raised.positions[top][1] = 1.5;  // half a unit more
+  io::write_model(folder_ / "cube.ply", cube(false, false));
+  io::write_model(folder_ / "raised.ply", raised);
+  const auto paint = [&](const std::string& mesh, const std::string& range) {
+    const Outcome outcome =
+        mesh_snapshot({folder_ / mesh, "--reference", folder_ / "cube.ply", "-o", folder_ / "painted.png",
+                       "--range", range, "--view", "0,90", "--size", "400x400"});  // from above
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return read_pixels(folder_ / "painted.png", 0.1, 0.7);
+  };
+  EXPECT_GT(paint("raised.ply", "0.5").blue, 0.5);  // the top is at the end of the scale
+  EXPECT_EQ(paint("cube.ply", "0.5").blue, 0);      // nothing to be seen of itself
+  EXPECT_LT(paint("raised.ply", "50").blue, 0.01);  // nearly nothing on a long scale
+  const Pixels bar = read_pixels(folder_ / "painted.png", 0.74, 1);
+  EXPECT_GT(bar.blue, 0.01);  // the scale's end
+  EXPECT_LT(bar.blue, 0.5);
+}
+
+TEST_F(MeshSnapshot, PaintsPointsByTheirDistanceToTheMesh) {
+  io::write_model(folder_ / "cube.ply", cube(false, false));
+  std::ofstream cloud(folder_ / "cloud.xyz");
+  for (int i = 0; i < 40; ++i) cloud << i / 40.0 << " 1 0.2\n" << i / 40.0 << " 1.6 0.8\n";
+  cloud.close();
+  std::vector<std::string> arguments = {folder_ / "cube.ply",
+                                        "--points",
+                                        folder_ / "cloud.xyz",
+                                        "-o",
+                                        folder_ / "points.png",
+                                        "--view",
+                                        "0,90"};
+  ASSERT_EQ(mesh_snapshot(arguments).status, 0);
+  const double plain = read_pixels(folder_ / "points.png", 0, 0.8).blue;
+  arguments.push_back("--deviation");
+  ASSERT_EQ(mesh_snapshot(arguments).status, 0);
+  const double far_only = read_pixels(folder_ / "points.png", 0, 0.8).blue;
+  EXPECT_GT(far_only, 0.2 * plain);  // those that are off
+  EXPECT_LT(far_only, 0.8 * plain);  // those on the mesh are pale
+}
+
+TEST_F(MeshSnapshot, ATurntableIsASequenceOrAGifOfTheSamePictures) {
+  io::write_model(folder_ / "open.ply", cube(true, false));
+  const std::vector<std::string> turn = {
+      folder_ / "open.ply", "--turntable", "4", "--size", "200x200", "--view", "45,20", "--up", "z", "-o"};
+  auto sequence = turn, animation = turn;
+  sequence.push_back(folder_ / "turn.png");
+  animation.push_back(folder_ / "turn.gif");
+  Outcome outcome = mesh_snapshot(sequence);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_FALSE(fs::exists(folder_ / "turn.png"));
+  EXPECT_EQ(folder_.count(), 5u);
+  outcome = mesh_snapshot(animation);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::vector<Picture> pictures;
+  ASSERT_EQ(split_gif(folder_ / "turn.gif", pictures), 4);
+  for (int i = 0; i < 4; ++i) {
+    const Pixels still = read_pixels(folder_ / ("turn_00" + std::to_string(i) + ".png"));
+    const Pixels moving = count_pixels(pictures[i]);
+    EXPECT_EQ(moving.width, 200);
+    EXPECT_NEAR(still.white, moving.white, 0.01);
+    EXPECT_NEAR(still.grey, moving.grey, 0.02);
+    EXPECT_GT(still.grey, 0.2);
+    // A cube looks alike from its four sides, but one of them is the hole.
+    EXPECT_NEAR(still.white, read_pixels(folder_ / "turn_000.png").white, 0.01);
+  }
+  EXPECT_NE(read_pixels(folder_ / "turn_000.png").red, read_pixels(folder_ / "turn_001.png").red);
+}
+
+TEST_F(MeshSnapshot, PlaysTheFilmOfARealScan) {
+  ASSERT_EQ(run_program({PCD_TO_MESH, TEST_DATA "/bun0.pcd", folder_ / "bunny.ply", "--init", "sphere",
+                         "--max-steps", "4", "--dump-steps", folder_ / "steps"})
+                .status,
+            0);
+  const std::size_t steps = std::distance(fs::directory_iterator(folder_ / "steps"), {});
+  ASSERT_GE(steps, 3u);
+  const Outcome outcome =
+      mesh_snapshot({"--steps", folder_ / "steps", folder_ / "bunny.ply", "--points", TEST_DATA "/bun0.pcd",
+                     "--grey-backs", "--size", "400x200", "-o", folder_ / "film.gif"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::vector<Picture> pictures;
+  ASSERT_EQ(split_gif(folder_ / "film.gif", pictures), static_cast<int>(steps));
+  // The film shrinks from the sphere, and what is beside it stays.
+  const double first = count_pixels(pictures.front(), 0, 0.5).white,
+               last = count_pixels(pictures.back(), 0, 0.5).white;
+  EXPECT_GT(last, first + 0.1);
+  EXPECT_NEAR(count_pixels(pictures.front(), 0.5, 1).white, count_pixels(pictures.back(), 0.5, 1).white,
+              1e-9);
+
+  // During a turn the evolution goes on.
+  ASSERT_EQ(mesh_snapshot({"--steps", folder_ / "steps", "--turntable", "6", "--size", "100x100", "-o",
+                           folder_ / "turn.png"})
+                .status,
+            0);
+  EXPECT_GT(read_pixels(folder_ / "turn_005.png").white, read_pixels(folder_ / "turn_000.png").white + 0.1);
+  EXPECT_FALSE(fs::exists(folder_ / "turn_006.png"));
+}
+
+TEST_F(MeshSnapshot, ShowsTheColoursOfAFile) {
+  Model model = cube(false, false);
+  model.colours.assign(8, {30, 60, 220});
+  io::write_model(folder_ / "blue.ply", model);
+  ASSERT_EQ(mesh_snapshot({folder_ / "blue.ply", "-o", folder_ / "plain.png"}).status, 0);
+  ASSERT_EQ(mesh_snapshot({folder_ / "blue.ply", "--colours", "-o", folder_ / "blue.png"}).status, 0);
+  EXPECT_EQ(read_pixels(folder_ / "plain.png").blue, 0);
+  EXPECT_GT(read_pixels(folder_ / "blue.png").blue, 0.2);
+}
+
 TEST_F(MeshSnapshot, FailsInOneSentence) {
   io::write_model(folder_ / "cube.ply", cube(false, false));
   const std::string mesh = folder_ / "cube.ply", png = folder_ / "cube.png";
@@ -234,6 +384,17 @@ TEST_F(MeshSnapshot, FailsInOneSentence) {
       {2, {mesh, "-o", png, "--fit", "tight"}},
       {2, {mesh, mesh, "-o", png, "--label", "only one"}},
       {2, {mesh, "-o", png, "--nonsense"}},
+      {2, {mesh, "-o", png, "--deviation"}},
+      {2, {mesh, "-o", png, "--range", "1"}},
+      {2, {mesh, "-o", png, "--reference", mesh, "--range", "0"}},
+      {2, {mesh, "-o", png, "--turntable", "1"}},
+      {2, {mesh, "-o", png, "--turntable", "721"}},
+      {2, {mesh, "-o", png, "--fps", "0"}},
+      {2, {mesh, "-o", png, "--label", "one", "--steps", folder_.path().string()}},
+      {1, {mesh, "-o", png, "--steps", folder_.path().string()}},  // no step in it
+      {1, {mesh, "-o", png, "--steps", folder_ / "missing"}},
+      {1, {mesh, "-o", png, "--reference", TEST_DATA "/spot_10k.ply"}},  // points only
+      {1, {mesh, "-o", folder_ / "t.gif", "--turntable", "720", "--size", "4000x4000"}},
       {1, {folder_ / "missing.ply", "-o", png}},
       {1, {TEST_DATA "/spot_10k.ply", "-o", png}},  // points only
       {1, {mesh, "-o", folder_ / "no/such/cube.png"}},
