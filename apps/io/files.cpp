@@ -55,6 +55,20 @@ std::string read_file(const std::string& path) {
   return bytes;
 }
 
+std::string read_standard_input() {
+  std::string bytes;
+  char piece[1 << 16];
+  for (std::size_t size; (size = std::fread(piece, 1, sizeof piece, stdin)) > 0;) bytes.append(piece, size);
+  if (std::ferror(stdin)) throw IoError("it cannot be read");
+  if (bytes.empty()) throw IoError("it is empty");
+  return bytes;
+}
+
+void write_standard_output(std::string_view bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0)
+    throw IoError("it cannot be written");
+}
+
 void check_writable(const std::string& path) {
   const fs::path target = target_of(path);
   std::error_code error;

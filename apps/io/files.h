@@ -15,6 +15,12 @@ void check_readable(const std::string& path);
 /// All bytes of a file. Throws IoError.
 std::string read_file(const std::string& path);
 
+/// All bytes of standard input up to its end. Throws IoError, also where there are none.
+std::string read_standard_input();
+
+/// Throws IoError.
+void write_standard_output(std::string_view bytes);
+
 /// Refuses a path that write_file() could not replace, so that it is known before the work. Throws IoError.
 void check_writable(const std::string& path);
 

@@ -2,69 +2,63 @@
 #include "model_file.h"
 
 #include <algorithm>
-#include <initializer_list>
+#include <vector>
 
 #include "files.h"
+#include "format.h"
 #include "io_error.h"
-#include "obj.h"
-#include "pcd.h"
-#include "ply.h"
-#include "stl.h"
 #include "vtk_polydata.h"
-#include "xyz.h"
 
 namespace filmsticking::io {
 namespace {
 
-using Extensions = std::initializer_list<const char*>;
+std::string dotted(const std::vector<std::string>& formats) {
+  std::string names;
+  for (const std::string& format : formats) names += " ." + format;
+  return names;
+}
 
-Model read(const std::string& path, Extensions known) {
+/// The path's extension without its dot, if it is one of the formats.
+std::string format_of(const std::string& path, const std::vector<std::string>& formats) {
   const std::string extension = extension_of(path);
+  for (const std::string& format : formats)
+    if (extension == "." + format) return format;
+  throw IoError("its extension is none of" + dotted(formats));
+}
+
+Model read(const std::string& path, const std::vector<std::string>& formats) {
   check_readable(path);
-  if (std::find(known.begin(), known.end(), extension) == known.end()) {
-    std::string names;
-    for (const char* name : known) names += std::string(" ") + name;
-    throw IoError("its extension is none of" + names);
-  }
-  if (extension == ".vtk") return read_vtk(path);
-  const std::string bytes = read_file(path);
-  if (extension == ".pcd") return decode_pcd(bytes);
-  if (extension == ".ply") return decode_ply(bytes);
-  if (extension == ".obj") return decode_obj(bytes);
-  if (extension == ".stl") return decode_stl(bytes);
-  return decode_xyz(bytes);
+  const std::string format = format_of(path, formats);
+  return format == "vtk" ? read_vtk(path) : decode_cloud(format, read_file(path));
 }
 
 }  // namespace
 
 Model read_cloud(const std::string& path) {
-  Model model = read(path, {".pcd", ".ply", ".obj", ".stl", ".xyz", ".txt"});
+  Model model = read(path, cloud_formats());
   if (model.positions.empty()) throw IoError("there are no points in it");
   return model;
 }
 
 Model read_mesh(const std::string& path) {
-  Model model = read(path, {".ply", ".obj", ".stl", ".vtk"});
+  Model model = read(path, {"ply", "obj", "stl", "vtk"});
   if (model.triangles.empty()) throw IoError("there are no triangles in it");
   return model;
 }
 
 Model read_model(const std::string& path) {
-  return read(path, {".pcd", ".ply", ".obj", ".stl", ".vtk", ".xyz", ".txt"});
+  return read(path, {"pcd", "ply", "obj", "stl", "vtk", "xyz", "txt"});
 }
 
 bool can_write_model(const std::string& path) {
+  const std::vector<std::string>& formats = mesh_formats();
   const std::string extension = extension_of(path);
-  return extension == ".ply" || extension == ".obj" || extension == ".stl" || extension == ".vtk";
+  return std::any_of(formats.begin(), formats.end(),
+                     [&](const std::string& format) { return extension == "." + format; });
 }
 
 void write_model(const std::string& path, const Model& model) {
-  const std::string extension = extension_of(path);
-  if (extension == ".ply") return write_file(path, encode_ply(model));
-  if (extension == ".obj") return write_file(path, encode_obj(model));
-  if (extension == ".stl") return write_file(path, encode_stl(model));
-  if (extension == ".vtk") return write_file(path, encode_vtk(model));
-  throw IoError("its extension is none of .ply .obj .stl .vtk");
+  write_file(path, encode_model(format_of(path, mesh_formats()), model));
 }
 
 }  // namespace filmsticking::io

@@ -20,10 +20,10 @@ Model read_mesh(const std::string& path);
 /// Throws IoError.
 Model read_model(const std::string& path);
 
-/// Whether write_model() knows the path's extension: .ply, .obj, .stl or .vtk.
+/// Whether write_model() knows the path's extension: .ply, .obj, .stl, .vtk or .glb.
 bool can_write_model(const std::string& path);
 
-/// Writes every coordinate so that it reads back as the same number. Throws IoError.
+/// Writes every coordinate so that it reads back as the same number, but for .glb. Throws IoError.
 void write_model(const std::string& path, const Model& model);
 
 }  // namespace filmsticking::io

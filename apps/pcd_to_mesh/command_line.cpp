@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command_line.h"
 
-#include <boost/program_options.hpp>
-#include <charconv>
+#include <algorithm>
+#include <filesystem>
+#include <map>
 #include <sstream>
-#include <vector>
+#include <thread>
 
+#include "common/filter_arguments.h"
+#include "common/reconstruction_arguments.h"
+#include "io/format.h"
+
+namespace fs = std::filesystem;
 namespace po = boost::program_options;
 
 namespace filmsticking::app {
@@ -13,133 +19,118 @@ namespace {
 
 po::options_description visible_options() {
   po::options_description options("Options", 100);
-  options.add_options()("report", po::value<std::string>()->value_name("FILE.json"),
-                        "write what was done as JSON")(
+  options.add_options()("out-dir", po::value<std::string>()->value_name("FOLDER"),
+                        "all files are inputs; their meshes go there")(
+      "to", po::value<std::string>()->value_name("FORMAT"),
+      "format of the meshes in a folder or on standard output: ply (the default), obj, stl, vtk, glb")(
+      "format", po::value<std::string>()->value_name("FORMAT"),
+      "format of the input, whatever its name: pcd, ply, obj, stl, xyz, txt")(
+      "jobs", po::value<std::string>()->value_name("N"),
+      "clouds at a time, where there are several; 0: as many as processors; default 1")(
+      "report", po::value<std::string>()->value_name("FILE.json"),
+      "write what was done as JSON; of several inputs, a list")(
       "dump-steps", po::value<std::string>()->value_name("DIR"), "write the film after each step as PLY")(
-      "preset", po::value<std::string>()->value_name("default|paper"),
-      "where the options start from; paper: sphere, 1000 virtual sites, one Poisson round")(
-      "init", po::value<std::string>()->value_name("sphere|wrap|carve"),
-      "carve (the default): no film; else the surface that a film starts from")(
-      "field", po::value<std::string>()->value_name("poisson|sculpt|none"),
-      "how dangling plates are removed and the topology is corrected")(
-      "ring", po::value<std::string>()->value_name("smooth|nearest"),
-      "the ring that a point with several regions keeps")(
-      "virtual-sites", po::value<std::string>()->value_name("N|adaptive"), "virtual sites")(
-      "no-weights", "attract points by the Voronoi diagram alone")(
-      "no-insert", "leave out the points that are off at the end")(
-      "max-steps", po::value<std::string>()->value_name("N"), "film steps before the first field")(
-      "max-rounds", po::value<std::string>()->value_name("N"), "rounds of field and film")(
-      "threads", po::value<std::string>()->value_name("N"), "threads; 0: all; the mesh is the same")(
       "help", "print this text")("version", "print the version");
-  return options;
+  return options.add(filter_arguments()).add(reconstruction_arguments());
 }
 
-int parse_count(const std::string& option, const std::string& text, int least) {
-  int value = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || rest != end || value < least)
-    throw UsageError("--" + option + " takes a whole number from " + std::to_string(least) + " on, not '" +
-                     text + "'");
-  return value;
+/// One of the formats. Throws UsageError.
+std::string parse_format(const std::string& option, const std::string& text,
+                         const std::vector<std::string>& formats) {
+  std::vector<Choice<std::string>> choices;
+  for (const std::string& format : formats) choices.push_back({format.c_str(), format});
+  return parse_choice(option, text, choices);
 }
 
-/// One of several words, each with its meaning.
-template <typename Meaning>
-struct Choice {
-  const char* word;
-  Meaning meaning;
-};
+bool names_folder(const std::string& path) {
+  std::error_code error;
+  return path.back() == '/' || fs::is_directory(path, error);
+}
 
-template <typename Meaning>
-Meaning parse_choice(const std::string& option, const std::string& text,
-                     const std::vector<Choice<Meaning>>& choices) {
-  std::string words;
-  for (const Choice<Meaning>& choice : choices) {
-    if (text == choice.word) return choice.meaning;
-    words += (words.empty() ? "" : ", ") + std::string(choice.word);
+/// The meshes' names in the folder; two clouds must not become the same.
+std::vector<Task> tasks_of(const std::vector<std::string>& inputs, const std::string& folder,
+                           const std::string& format) {
+  std::vector<Task> tasks;
+  std::map<std::string, std::string> input_of;
+  for (const std::string& input : inputs) {
+    if (input == kStandardStream) throw UsageError("standard input has no name for a mesh in a folder");
+    const std::string name = fs::path(input).stem().string() + "." + format;
+    const auto [other, is_new] = input_of.emplace(name, input);
+    if (!is_new) throw UsageError(other->second + " and " + input + " would both become " + name);
+    tasks.push_back({input, (fs::path(folder) / name).string()});
   }
-  throw UsageError("--" + option + " takes one of " + words + ", not '" + text + "'");
+  return tasks;
 }
 
-Options to_options(const po::variables_map& given) {
-  // Each present option is handed to its reader by name, so that the name stands once.
-  const auto with = [&given](const char* name, auto&& use) {
-    if (given.count(name)) use(std::string(name), given[name].as<std::string>());
-  };
-  Options options;
-  with("preset", [&](const auto& name, const auto& text) {
-    if (parse_choice<bool>(name, text, {{"default", false}, {"paper", true}})) options = Options::paper();
-  });
-  with("init", [&](const auto& name, const auto& text) {
-    options.initial_surface = parse_choice<InitialSurface>(name, text,
-                                                           {{"sphere", InitialSurface::Sphere},
-                                                            {"wrap", InitialSurface::Wrap},
-                                                            {"carve", InitialSurface::Carve}});
-  });
-  with("field", [&](const auto& name, const auto& text) {
-    options.field = parse_choice<FieldMethod>(
-        name, text,
-        {{"poisson", FieldMethod::Poisson}, {"sculpt", FieldMethod::Sculpt}, {"none", FieldMethod::None}});
-  });
-  with("ring", [&](const auto& name, const auto& text) {
-    options.ring = parse_choice<RingChoice>(
-        name, text, {{"smooth", RingChoice::Smooth}, {"nearest", RingChoice::Nearest}});
-  });
-  with("virtual-sites", [&](const auto& name, const auto& text) {
-    options.virtual_sites = text == "adaptive" ? Options::kAdaptiveVirtualSites : parse_count(name, text, 0);
-  });
-  with("max-steps",
-       [&](const auto& name, const auto& text) { options.max_steps = parse_count(name, text, 1); });
-  with("max-rounds",
-       [&](const auto& name, const auto& text) { options.max_rounds = parse_count(name, text, 1); });
-  with("threads", [&](const auto& name, const auto& text) { options.threads = parse_count(name, text, 0); });
-  if (given.count("no-weights")) options.weights = false;
-  if (given.count("no-insert")) options.insert_leftover = false;
-  return options;
+void choose_files(const Arguments& given, CommandLine& command) {
+  std::vector<std::string> files = given.files();
+  for (const std::string& file : files)
+    if (file.empty()) throw UsageError("a file has an empty name");
+  const bool named = given.has("out-dir");
+  if (named && files.empty()) throw UsageError("an INPUT is needed; --help tells more");
+  if (!named && files.size() < 2) throw UsageError("an INPUT and an OUTPUT are needed; --help tells more");
+  command.folder = named ? given.text("out-dir") : files.back();
+  if (command.folder.empty()) throw UsageError("--out-dir takes a folder");
+  command.batch = named || names_folder(command.folder);
+  if (!named) files.pop_back();
+
+  if (command.batch) {
+    command.tasks = tasks_of(files, command.folder, given.has("to") ? command.to : "ply");
+    if (!command.dump_steps.empty() && files.size() > 1)
+      throw UsageError("--dump-steps takes one input only");
+    return;
+  }
+  if (files.size() > 1)
+    throw UsageError("several inputs need a folder, and '" + command.folder + "' is none; end it with '/'");
+  command.tasks = {{files[0], command.folder}};
+  if (given.has("to") && command.folder != kStandardStream)
+    throw UsageError("--to is for folders and standard output; a file's name tells its format");
 }
 
 }  // namespace
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
-  po::options_description all = visible_options();
-  all.add_options()("file", po::value<std::vector<std::string>>());
-  po::positional_options_description positional;
-  positional.add("file", -1);
-  po::variables_map given;
-  try {
-    using namespace po::command_line_style;
-    const int style = allow_long | long_allow_adjacent | long_allow_next;
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
-              given);
-  } catch (const po::error& error) {
-    throw UsageError(error.what());
-  }
-
+  const Arguments given(argc, argv, visible_options());
   CommandLine command;
-  command.help = given.count("help") > 0;
-  command.version = given.count("version") > 0;
+  command.help = given.has("help");
+  command.version = given.has("version");
   if (command.help || command.version) return command;
-  const auto files =
-      given.count("file") ? given["file"].as<std::vector<std::string>>() : std::vector<std::string>();
-  if (files.size() != 2) throw UsageError("an INPUT and an OUTPUT file are needed; --help tells more");
-  command.input = files[0];
-  command.output = files[1];
-  if (given.count("report")) command.report = given["report"].as<std::string>();
-  if (given.count("dump-steps")) command.dump_steps = given["dump-steps"].as<std::string>();
-  command.options = to_options(given);
+  command.report = given.text("report");
+  command.dump_steps = given.text("dump-steps");
+  command.to = "ply";
+  given.with("to", [&](const auto& name, const auto& text) {
+    command.to = parse_format(name, text, io::mesh_formats());
+  });
+  given.with("format", [&](const auto& name, const auto& text) {
+    command.from = parse_format(name, text, io::cloud_formats());
+  });
+  given.with("jobs", [&](const auto& name, const auto& text) { command.jobs = parse_count(name, text, 0); });
+  choose_files(given, command);
+  command.filters = filter_options(given);
+  command.options = reconstruction_options(given);
+
+  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  if (command.jobs == 0) command.jobs = processors;
+  command.jobs = std::min(command.jobs, static_cast<int>(command.tasks.size()));
+  if (command.options.threads == 0 && command.jobs > 1)  // more would only get in each other's way
+    command.options.threads = std::max(1, processors / command.jobs);
   return command;
 }
 
 std::string usage() {
   std::ostringstream text;
-  text << "usage: pcd_to_mesh INPUT OUTPUT [options]\n\n"
-          "Turns a point cloud without normals into a closed manifold triangle mesh through its points.\n"
-          "  INPUT   .pcd .ply .obj .stl .xyz .txt (of a mesh, the vertices)\n"
-          "  OUTPUT  .ply (binary) .obj .stl .vtk; coordinates keep all digits, colours go into .ply .obj "
-          ".vtk\n\n"
+  text << "usage: pcd_to_mesh INPUT OUTPUT [options]\n"
+          "       pcd_to_mesh INPUT.. FOLDER/ [options]\n"
+          "       pcd_to_mesh --out-dir FOLDER INPUT.. [options]\n\n"
+          "Turns point clouds without normals into closed manifold triangle meshes through their points.\n"
+          "  INPUT   .pcd .ply .obj .stl .xyz .txt (of a mesh, the vertices), or - for standard input\n"
+          "  OUTPUT  .ply (binary) .obj .stl .vtk .glb, or - for standard output; coordinates keep all\n"
+          "          digits (.glb has single precision), colours go into all but .stl\n"
+          "  FOLDER  takes a mesh for every INPUT, by its name; it is made if need be. An input that fails\n"
+          "          does not stop the others.\n\n"
        << visible_options()
-       << "\nExit status: 0 with a mesh written, 2 for a wrong command line, 130 if interrupted, else 1.\n";
+       << "\nExit status: 0 with every mesh written, 2 for a wrong command line, 130 if interrupted, else "
+          "1.\n";
   return text.str();
 }
 

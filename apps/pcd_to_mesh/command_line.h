@@ -1,27 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "filmsticking/options.h"
+#include "filters/filter_options.h"
 
 namespace filmsticking::app {
 
-/// What the user asked pcd_to_mesh for.
-struct CommandLine {
+/// For a file's name: standard input or output.
+constexpr const char* kStandardStream = "-";
+
+/// A cloud and the mesh that it becomes.
+struct Task {
   std::string input;
   std::string output;
+};
+
+/// What the user asked pcd_to_mesh for.
+struct CommandLine {
+  std::vector<Task> tasks;
+  bool batch = false;      ///< the outputs are named by the program, in `folder`
+  std::string folder;      ///< of a batch
+  std::string from;        ///< the inputs' format; empty: by their names, of standard input by its content
+  std::string to;          ///< the format of standard output
   std::string report;      ///< JSON file; empty: none
   std::string dump_steps;  ///< folder for the film after each step; empty: none
+  int jobs = 1;            ///< tasks at a time
+  filters::FilterOptions filters;
   Options options;
   bool help = false;
   bool version = false;
-};
-
-/// A command line that makes no sense; what() is a sentence for the user.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
 };
 
 /// Throws UsageError.

@@ -39,6 +39,7 @@ std::string report_json(const Result& result, const RunFacts& facts) {
       .add("output", facts.output)
       .add("status", status_name(result.status))
       .add("message", result.message)
+      .add("read", facts.read)
       .add("points", report.points)
       .add("sites", report.sites)
       .add("non_finite", report.non_finite)

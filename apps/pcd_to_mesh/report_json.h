@@ -12,13 +12,15 @@ namespace filmsticking::app {
 struct RunFacts {
   std::string input;
   std::string output;
-  double seconds = 0;  ///< wall time with reading and writing
+  std::int64_t read = 0;  ///< points in the input
+  double seconds = 0;     ///< wall time with reading and writing
   std::int64_t peak_memory_bytes = 0;
 };
 
 /// The report of --report. Its fields:
 ///   input, output, status, message: strings; message is empty when status is "Ok"
-///   points, sites, non_finite, duplicates: as in Report
+///   read: points in the input; points: those that the filters left; sites, non_finite, duplicates: as in
+///   Report
 ///   interpolated, interpolated_share (of the sites, 0 to 1), inserted
 ///   vertices, triangles, components, genus, closed, manifold: the mesh
 ///   rounds; steps: a list of round, attracted, virtual_left, weighted, regions_repaired, seconds

@@ -1,21 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // pcd_to_mesh as a user runs it, on real clouds.
 #include <gtest/gtest.h>
+#include <vtkDataArray.h>
+#include <vtkDataObjectTreeIterator.h>
+#include <vtkGLTFReader.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <boost/property_tree/json_parser.hpp>
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <random>
 #include <set>
+#include <sstream>
 #include <thread>
 
+#include "filters/model_filter.h"
 #include "io/files.h"
 #include "io/model_file.h"
+#include "io/vtk_polydata.h"
 #include "run_program.h"
 #include "scratch_folder.h"
 #include "support/surface_check.h"
@@ -60,7 +72,7 @@ TEST(PcdToMesh, MakesAMeshOfBun0) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");  // no progress bar off a terminal
   EXPECT_NE(outcome.out.find("397 points"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("closed, manifold"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("closed  yes, manifold"), std::string::npos) << outcome.out;
   expect_surface_through(io::read_mesh(folder / "bunny.ply"), io::read_cloud(kBunny));
   EXPECT_EQ(folder.count(), 1u);
 }
@@ -230,8 +242,10 @@ TEST(PcdToMesh, HelpAndVersionGoToStdout) {
   }
   const std::string help = pcd_to_mesh({"--help"}).out;
   for (const char* option :
-       {"--report", "--preset", "--init", "--field", "--ring", "--virtual-sites", "--no-weights",
-        "--no-insert", "--max-steps", "--max-rounds", "--threads", "--dump-steps", "--version"})
+       {"--report",     "--preset",    "--init",      "--field",      "--ring",    "--virtual-sites",
+        "--no-weights", "--no-insert", "--max-steps", "--max-rounds", "--threads", "--dump-steps",
+        "--version",    "--crop",      "--sor",       "--voxel",      "--mls",     "--out-dir",
+        "--to",         "--format",    "--jobs"})
     EXPECT_NE(help.find(option), std::string::npos) << option;
 }
 
@@ -242,6 +256,22 @@ TEST(PcdToMesh, WrongCommandLinesFailInOneSentence) {
            {},
            {kBunny},
            {kBunny, mesh, "third"},
+           {kBunny, ""},
+           {kBunny, mesh, "--out-dir", ""},
+           {"--out-dir", folder.path().string()},
+           {kBunny, mesh, "--to", "ply"},
+           {kBunny, mesh, "--format", "las"},
+           {kBunny, folder.path().string(), "--to", "xyz"},
+           {kBunny, kBunny, folder.path().string()},
+           {"-", folder.path().string()},
+           {kBunny, kSpot, folder.path().string(), "--dump-steps", folder / "steps"},
+           {kBunny, mesh, "--jobs", "-1"},
+           {kBunny, mesh, "--voxel", "0"},
+           {kBunny, mesh, "--voxel", "wide"},
+           {kBunny, mesh, "--sor", "16"},
+           {kBunny, mesh, "--crop", "0,0,0,1,1"},
+           {kBunny, mesh, "--crop", "1,0,0,0,1,1"},
+           {kBunny, mesh, "--mls", "-1"},
            {kBunny, mesh, "--nonsense"},
            {kBunny, mesh, "--thr", "1"},
            {kBunny, mesh, "--threads"},
@@ -285,16 +315,174 @@ TEST(PcdToMesh, BadInputsFailInOneSentence) {
 
 TEST(PcdToMesh, BadOutputsFailInOneSentence) {
   const ScratchFolder folder;
-  fs::create_directory(folder / "folder.ply");
   fs::copy_file(kBunny, folder / "cloud.pcd");
   io::write_model(folder / "cloud.ply", io::read_cloud(kBunny));
   expect_failure({kBunny, folder / "mesh.foo"}, folder, 1);
   expect_failure({kBunny, folder / "mesh"}, folder, 1);
-  expect_failure({kBunny, folder / "folder.ply"}, folder, 1);
   expect_failure({kBunny, folder / "no/such/mesh.ply"}, folder, 1);
   expect_failure({folder / "cloud.ply", folder / "cloud.ply"}, folder, 1);
   expect_failure({kBunny, folder / "mesh.ply", "--report", folder / "no/such/report.json"}, folder, 1);
   expect_failure({kBunny, folder / "mesh.ply", "--dump-steps", folder / "cloud.pcd"}, folder, 1);
+}
+
+TEST(PcdToMesh, FiltersRunBeforeTheSurface) {
+  const ScratchFolder folder;
+  const std::string milk = TEST_DATA "/milk.pcd";
+  filters::FilterOptions wanted;
+  set_filter(wanted, "crop", "-1,-1,0.5,1,1,2");
+  set_filter(wanted, "sor", "16,2");
+  set_filter(wanted, "voxel", "0.006");
+  const Model left = filters::filter(io::read_cloud(milk), wanted);
+  ASSERT_GT(left.positions.size(), 500u);
+
+  const Outcome outcome =
+      pcd_to_mesh({milk, folder / "mesh.ply", "--voxel=0.006", "--crop", "-1,-1,0.5,1,1,2", "--sor", "16,2",
+                   "--report", folder / "report.json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  expect_surface_through(io::read_mesh(folder / "mesh.ply"), left);
+  boost::property_tree::ptree report;
+  boost::property_tree::read_json(folder / "report.json", report);
+  EXPECT_EQ(report.get<std::size_t>("read"), 13704u);
+  EXPECT_EQ(report.get<std::size_t>("points"), left.positions.size());
+  EXPECT_NE(outcome.out.find(std::to_string(left.positions.size()) + " after crop, sor, voxel"),
+            std::string::npos)
+      << outcome.out;
+
+  expect_failure({milk, folder / "no.ply", "--voxel", "1e-7"}, folder, 1);
+  expect_failure({milk, folder / "no.ply", "--crop", "8,8,8,9,9,9"}, folder, 1);
+}
+
+TEST(PcdToMesh, ABatchIsTheMeshesOneByOne) {
+  const ScratchFolder folder;
+  std::ofstream(folder / "flat.xyz") << "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 1 0\n";
+  const std::string lamppost = TEST_DATA "/lamppost.pcd";
+  const Outcome outcome =
+      pcd_to_mesh({folder / "flat.xyz", kBunny, folder / "missing.pcd", lamppost, folder / "new/meshes/",
+                   "--jobs", "2", "--to", "obj", "--report", folder / "report.json"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 2) << outcome.err;
+  EXPECT_NE(outcome.err.find("flat.xyz: "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("missing.pcd: "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.out.find("2 of 4 meshes"), std::string::npos) << outcome.out;
+  for (const auto& [name, cloud] : {std::pair{"bun0.obj", kBunny}, {"lamppost.obj", lamppost}}) {
+    ASSERT_EQ(pcd_to_mesh({cloud, folder / "alone.obj"}).status, 0);
+    EXPECT_TRUE(io::read_file((folder / "new/meshes/") + name) == io::read_file(folder / "alone.obj"))
+        << name;
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "new/meshes"), fs::directory_iterator()), 2);
+  boost::property_tree::ptree report;
+  boost::property_tree::read_json(folder / "report.json", report);
+  ASSERT_EQ(report.size(), 3u);  // the missing one was not tried
+  EXPECT_EQ(report.front().second.get<std::string>("status"), "Coplanar");
+}
+
+TEST(PcdToMesh, AFolderThatIsThereTakesMeshes) {
+  const ScratchFolder folder;
+  EXPECT_EQ(pcd_to_mesh({kBunny, folder.path().string()}).status, 0);
+  EXPECT_EQ(pcd_to_mesh({"--out-dir", folder.path().string(), TEST_DATA "/bun4.pcd"}).status, 0);
+  EXPECT_TRUE(fs::exists(folder / "bun0.ply"));
+  EXPECT_TRUE(fs::exists(folder / "bun4.ply"));
+  EXPECT_EQ(pcd_to_mesh({kBunny, folder / "bun0.ply/"}).status, 1);  // a file is in the way
+}
+
+TEST(PcdToMesh, StandardInputAndOutput) {
+  const ScratchFolder folder;
+  ASSERT_EQ(pcd_to_mesh({kBunny, folder / "expected.ply"}).status, 0);
+  const std::string expected = io::read_file(folder / "expected.ply");
+  const Model cloud = io::read_cloud(kBunny);
+  io::write_model(folder / "cloud.ply", cloud);
+  io::write_model(folder / "cloud.obj", cloud);
+  std::ofstream text(folder / "cloud.xyz");
+  text.precision(17);
+  for (const Point& p : cloud.positions) text << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  text.close();
+  const auto through_shell = [&](const std::string& file, const std::string& options) {
+    return run_program({"/bin/sh", "-c", PCD_TO_MESH " - - " + options + " < " + file});
+  };
+  for (const std::string& file : {kBunny, folder / "cloud.ply", folder / "cloud.obj", folder / "cloud.xyz"}) {
+    const Outcome outcome = through_shell(file, "");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(outcome.out == expected) << file;
+    EXPECT_NE(outcome.err.find("closed  yes"), std::string::npos) << outcome.err;
+  }
+  EXPECT_TRUE(through_shell(folder / "cloud.xyz", "--format txt").out == expected);
+  const Outcome obj = through_shell(kBunny, "--to obj");
+  io::write_file(folder / "piped.obj", obj.out);
+  EXPECT_EQ(io::read_mesh(folder / "piped.obj").triangles, io::read_mesh(folder / "expected.ply").triangles);
+
+  std::ofstream(folder / "noise") << "what is this";
+  for (const std::string& file : {std::string("/dev/null"), folder / "noise"}) {
+    const Outcome outcome = through_shell(file, "");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  }
+  EXPECT_EQ(run_program({"/bin/sh", "-c", PCD_TO_MESH " " + kBunny + " - > /dev/full"}).status, 1);
+}
+
+TEST(PcdToMesh, ColoursAreInGltfAsAnotherReaderSeesIt) {
+  const ScratchFolder folder;
+  Model cloud = io::read_cloud(kSpot);
+  cloud.positions.resize(3000);
+  for (std::size_t i = 0; i < cloud.positions.size(); ++i)
+    cloud.colours.push_back({static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i / 20), 77});
+  io::write_model(folder / "cloud.ply", cloud);
+  ASSERT_EQ(pcd_to_mesh({folder / "cloud.ply", folder / "mesh.ply"}).status, 0);
+  ASSERT_EQ(pcd_to_mesh({folder / "cloud.ply", folder / "mesh.glb"}).status, 0);
+  const Model expected = io::read_mesh(folder / "mesh.ply");
+
+  vtkNew<vtkGLTFReader> reader;
+  reader->SetFileName((folder / "mesh.glb").c_str());
+  reader->Update();
+  const auto blocks = vtkSmartPointer<vtkDataObjectTreeIterator>::New();
+  blocks->SetDataSet(reader->GetOutput());
+  blocks->VisitOnlyLeavesOn();
+  blocks->InitTraversal();
+  ASSERT_FALSE(blocks->IsDoneWithTraversal());
+  auto* const mesh = vtkPolyData::SafeDownCast(blocks->GetCurrentDataObject());
+  ASSERT_NE(mesh, nullptr);
+  ASSERT_EQ(mesh->GetNumberOfPoints(), static_cast<vtkIdType>(expected.positions.size()));
+  EXPECT_EQ(io::from_polydata(mesh).triangles, expected.triangles);
+  vtkDataArray* const colours = mesh->GetPointData()->GetArray("COLOR_0");
+  ASSERT_NE(colours, nullptr);
+  for (vtkIdType k = 0; k < mesh->GetNumberOfPoints(); ++k) {
+    for (int axis = 0; axis < 3; ++axis) {
+      ASSERT_EQ(mesh->GetPoint(k)[axis], expected.positions[k][axis]);
+      const double light = colours->GetComponent(k, axis);  // back to sRGB, as the eye has it
+      const double share = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+      ASSERT_EQ(std::lround(255 * share), expected.colours[k][axis]);
+    }
+  }
+}
+
+TEST(PcdToMesh, GltfOfLargeCoordinatesKeepsTheShape) {
+  const ScratchFolder folder;
+  Model cloud = io::read_cloud(kBunny);
+  for (Point& p : cloud.positions) p = {p[0] + 500000.1, p[1] + 4649776.7, p[2] + 123.4};
+  io::write_model(folder / "cloud.ply", cloud);
+  ASSERT_EQ(pcd_to_mesh({folder / "cloud.ply", folder / "mesh.ply"}).status, 0);
+  ASSERT_EQ(pcd_to_mesh({folder / "cloud.ply", folder / "mesh.glb"}).status, 0);
+  const Model expected = io::read_mesh(folder / "mesh.ply");
+
+  // A binary glTF is a header of 12 bytes, then JSON and the buffer, each after its length and kind.
+  const std::string bytes = io::read_file(folder / "mesh.glb");
+  std::uint32_t json_size = 0;
+  std::memcpy(&json_size, bytes.data() + 12, sizeof json_size);
+  boost::property_tree::ptree json;
+  std::istringstream json_text(bytes.substr(20, json_size));
+  boost::property_tree::read_json(json_text, json);
+  Point moved{};
+  int axis = 0;
+  for (const auto& [name, value] : json.get_child("nodes").front().second.get_child("translation"))
+    moved[axis++] = value.get_value<double>();
+  const char* buffer = bytes.data() + 20 + json_size + 8;
+  for (const Point& p : expected.positions)
+    for (axis = 0; axis < 3; ++axis) {
+      float x = 0;
+      std::memcpy(&x, buffer, sizeof x);
+      buffer += sizeof x;
+      ASSERT_NEAR(moved[axis] + x, p[axis], 1e-8);
+    }
 }
 
 TEST(PcdToMesh, AFailedRunKeepsTheOldMeshAndReports) {

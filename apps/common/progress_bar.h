@@ -13,7 +13,10 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  void show(double share, const char* room);
+  void show(double share, const std::string& at_work);
+
+  /// Takes the line away, so that another may be written; show() brings it back.
+  void hide();
 
  private:
   bool terminal_;

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program.h"
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "usage_error.h"
+
+namespace filmsticking::app {
+
+void complain(const char* program, const std::string& what) {
+  std::fprintf(stderr, "%s: %s.\n", program, what.c_str());
+}
+
+int run_program(const char* program, const std::function<int()>& body) noexcept {
+  try {
+    return body();
+  } catch (const UsageError& error) {
+    complain(program, error.what());
+    return kWrongUsage;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "%s: the memory does not suffice.\n", program);
+  } catch (const std::exception& error) {
+    complain(program, error.what());
+  }
+  return kFailed;
+}
+
+}  // namespace filmsticking::app

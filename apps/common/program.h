@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every program's main() has in common.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace filmsticking::app {
+
+/// Exit statuses; 0 is success.
+constexpr int kFailed = 1, kWrongUsage = 2, kInterrupted = 130;
+
+/// Runs `body`, whose result is the exit status. What it throws becomes a line on stderr that begins with the
+/// program's name; UsageError gives kWrongUsage, everything else kFailed.
+int run_program(const char* program, const std::function<int()>& body) noexcept;
+
+/// Prints "PROGRAM: WHAT." on stderr.
+void complain(const char* program, const std::string& what);
+
+}  // namespace filmsticking::app

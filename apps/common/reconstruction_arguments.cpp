@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reconstruction_arguments.h"
+
+namespace po = boost::program_options;
+
+namespace filmsticking::app {
+
+po::options_description reconstruction_arguments() {
+  po::options_description options("Reconstruction", 100);
+  options.add_options()("preset", po::value<std::string>()->value_name("default|paper"),
+                        "where the options start from; paper: sphere, 1000 virtual sites, one Poisson round")(
+      "init", po::value<std::string>()->value_name("sphere|wrap|carve"),
+      "carve (the default): no film; else the surface that a film starts from")(
+      "field", po::value<std::string>()->value_name("poisson|sculpt|none"),
+      "how dangling plates are removed and the topology is corrected")(
+      "ring", po::value<std::string>()->value_name("smooth|nearest"),
+      "the ring that a point with several regions keeps")(
+      "virtual-sites", po::value<std::string>()->value_name("N|adaptive"), "virtual sites")(
+      "no-weights", "attract points by the Voronoi diagram alone")(
+      "no-insert", "leave out the points that are off at the end")(
+      "max-steps", po::value<std::string>()->value_name("N"), "film steps before the first field")(
+      "max-rounds", po::value<std::string>()->value_name("N"), "rounds of field and film")(
+      "threads", po::value<std::string>()->value_name("N"), "threads; 0: all; the mesh is the same");
+  return options;
+}
+
+Options reconstruction_options(const Arguments& given) {
+  Options options;
+  given.with("preset", [&](const auto& name, const auto& text) {
+    if (parse_choice<bool>(name, text, {{"default", false}, {"paper", true}})) options = Options::paper();
+  });
+  given.with("init", [&](const auto& name, const auto& text) {
+    options.initial_surface = parse_choice<InitialSurface>(name, text,
+                                                           {{"sphere", InitialSurface::Sphere},
+                                                            {"wrap", InitialSurface::Wrap},
+                                                            {"carve", InitialSurface::Carve}});
+  });
+  given.with("field", [&](const auto& name, const auto& text) {
+    options.field = parse_choice<FieldMethod>(
+        name, text,
+        {{"poisson", FieldMethod::Poisson}, {"sculpt", FieldMethod::Sculpt}, {"none", FieldMethod::None}});
+  });
+  given.with("ring", [&](const auto& name, const auto& text) {
+    options.ring = parse_choice<RingChoice>(
+        name, text, {{"smooth", RingChoice::Smooth}, {"nearest", RingChoice::Nearest}});
+  });
+  given.with("virtual-sites", [&](const auto& name, const auto& text) {
+    options.virtual_sites = text == "adaptive" ? Options::kAdaptiveVirtualSites : parse_count(name, text, 0);
+  });
+  given.with("max-steps",
+             [&](const auto& name, const auto& text) { options.max_steps = parse_count(name, text, 1); });
+  given.with("max-rounds",
+             [&](const auto& name, const auto& text) { options.max_rounds = parse_count(name, text, 1); });
+  given.with("threads",
+             [&](const auto& name, const auto& text) { options.threads = parse_count(name, text, 0); });
+  if (given.has("no-weights")) options.weights = false;
+  if (given.has("no-insert")) options.insert_leftover = false;
+  return options;
+}
+
+}  // namespace filmsticking::app

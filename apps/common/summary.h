@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "filmsticking/reconstruct.h"
+
+namespace filmsticking::app {
+
+/// What a mesh is, in lines that a person can read: the file, closed or not, the genus, the points used.
+std::string mesh_summary(const Result& result, const std::string& file);
+
+/// "1.2 s, 35 MB of memory at most", the memory being that of this process so far.
+std::string cost_summary(double seconds);
+
+/// The most memory that this process has had, in bytes.
+std::int64_t peak_memory_bytes();
+
+}  // namespace filmsticking::app

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Formats by name, for bytes that have no file name.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model.h"
+
+namespace filmsticking::io {
+
+/// The formats of points, as extensions without a dot: pcd ply obj stl xyz txt.
+const std::vector<std::string>& cloud_formats();
+
+/// The formats that encode_model() writes: ply obj stl vtk glb.
+const std::vector<std::string>& mesh_formats();
+
+/// The format of points that the bytes begin like; empty if none. Text of numbers is xyz.
+std::string detect_format(std::string_view bytes);
+
+/// Points of a format of cloud_formats(). Throws IoError.
+Model decode_cloud(const std::string& format, std::string_view bytes);
+
+/// The bytes of a file of a format of mesh_formats(). Every coordinate reads back as the same number, but for
+/// glb. Throws IoError.
+std::string encode_model(const std::string& format, const Model& model);
+
+}  // namespace filmsticking::io

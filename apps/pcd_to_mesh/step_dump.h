@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "filmsticking/types.h"
+
+namespace filmsticking::app {
+
+/// Writes the film of each step; the first file that cannot be written stops the run.
+class StepDump {
+ public:
+  explicit StepDump(std::string folder) : folder_(std::move(folder)) {}
+
+  void write(int step, const Mesh& film) noexcept;
+
+  /// What went wrong; empty if nothing did.
+  const std::string& error() const { return error_; }
+
+ private:
+  std::string folder_;
+  std::string error_;
+};
+
+}  // namespace filmsticking::app
