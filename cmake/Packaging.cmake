@@ -34,7 +34,7 @@ install(FILES
   DESTINATION ${config_dir} COMPONENT development)
 install(FILES package.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/filmsticking_pp COMPONENT development)
 
-foreach(program pcd_to_mesh mesh_snapshot mesh_report)
+foreach(program pcd_to_mesh mesh_snapshot mesh_view mesh_report)
   if(TARGET ${program})
     file(RELATIVE_PATH bin_to_lib /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
     set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")

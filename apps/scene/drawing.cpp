@@ -183,15 +183,30 @@ vtkSmartPointer<vtkProp> draw_points(const io::Model& cloud, const Values& value
   return actor;
 }
 
-vtkSmartPointer<vtkProp> draw_label(const std::string& text) {
+vtkSmartPointer<vtkProp> draw_label(const std::string& text, int size) {
   auto label = vtkSmartPointer<vtkTextActor>::New();
   label->SetInput(text.c_str());
-  label->GetTextProperty()->SetFontSize(18);
+  label->GetTextProperty()->SetFontSize(size);
   label->GetTextProperty()->SetColor(kText[0], kText[1], kText[2]);
   label->GetTextProperty()->SetJustificationToCentered();
   label->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   label->GetPositionCoordinate()->SetValue(0.5, 0.015);
   return label;
+}
+
+vtkSmartPointer<vtkProp> draw_help(const std::string& text) {
+  auto help = vtkSmartPointer<vtkTextActor>::New();
+  help->SetInput(text.c_str());
+  vtkTextProperty* property = help->GetTextProperty();
+  property->SetFontFamilyToCourier();
+  property->SetFontSize(14);
+  property->SetColor(kText[0], kText[1], kText[2]);
+  property->SetBackgroundColor(1, 1, 1);
+  property->SetBackgroundOpacity(0.8);
+  property->SetVerticalJustificationToTop();
+  help->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  help->GetPositionCoordinate()->SetValue(0.01, 0.99);
+  return help;
 }
 
 double scale_bar_share(double width) {
@@ -225,6 +240,7 @@ vtkSmartPointer<vtkProp> draw_scale_bar(const std::string& title, double length,
 
 void light(vtkRenderer* renderer) {
   renderer->SetBackground(1, 1, 1);
+  renderer->RemoveAllLights();  // a window has had one made for it already
   vtkNew<vtkLightKit> lights;
   lights->SetKeyLightAngle(40, -25);
   lights->SetKeyLightIntensity(0.82);

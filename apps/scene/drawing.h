@@ -41,8 +41,11 @@ std::vector<vtkSmartPointer<vtkProp>> draw_mesh(const io::Model& mesh, const Val
 vtkSmartPointer<vtkProp> draw_points(const io::Model& cloud, const Values& values, const Point& middle,
                                      const Style& style);
 
-/// A text at the lower edge, in the middle.
-vtkSmartPointer<vtkProp> draw_label(const std::string& text);
+/// A text at the lower edge, in the middle; `size` in points.
+vtkSmartPointer<vtkProp> draw_label(const std::string& text, int size = 18);
+
+/// A text of several lines at the upper left, in a face that keeps columns.
+vtkSmartPointer<vtkProp> draw_help(const std::string& text);
 
 /// The scale of colours with numbers, at the right edge, where Margins::right makes room for it by
 /// scale_bar_share(). `width`: of the picture, in pixels.

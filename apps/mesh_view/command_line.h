@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "window.h"
+
+namespace filmsticking::app {
+
+/// What the user asked mesh_view for.
+struct CommandLine {
+  std::string mesh;       ///< empty: none
+  std::string points;     ///< cloud; empty: none
+  std::string steps;      ///< folder with an evolution, before the mesh; empty: none
+  std::string reference;  ///< mesh that distances are measured to; empty: none
+  double range = 0;       ///< the distance at the end of the colours; 0: chosen
+  WindowOptions window;
+  bool help = false;
+};
+
+/// A command line that makes no sense; what() is a sentence for the user.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws UsageError.
+CommandLine parse_command_line(int argc, const char* const* argv);
+
+/// The text of --help.
+std::string usage();
+
+}  // namespace filmsticking::app
