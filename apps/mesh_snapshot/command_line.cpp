@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 
+#include "common/usage_error.h"
 #include "io/files.h"
+#include "scene/view_arguments.h"
 
 namespace po = boost::program_options;
 
@@ -44,14 +45,6 @@ po::options_description visible_options() {
       "what shares one scale and middle: all meshes (default), those of a row, or none")("help",
                                                                                          "print this text");
   return options;
-}
-
-/// "A<separator>B" as two numbers.
-bool parse_pair(const std::string& text, char separator, double& a, double& b) {
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  char between = 0;
-  return stream >> a >> between >> b && between == separator && stream.peek() == EOF;
 }
 
 }  // namespace
@@ -121,23 +114,10 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   view.columns = std::min(view.columns, panels);
   view.width = kPanelSize * view.columns;
   view.height = kPanelSize * ((panels + view.columns - 1) / view.columns);
-  if (given.count("size")) {
-    double width = 0, height = 0;
-    if (!parse_pair(given["size"].as<std::string>(), 'x', width, height) || !(width >= 16 && height >= 16) ||
-        !(width <= kMostPixels && height <= kMostPixels))
-      throw UsageError("--size takes pixels like 1200x800, from 16 to " + std::to_string(kMostPixels));
-    view.width = static_cast<int>(width);
-    view.height = static_cast<int>(height);
-  }
-  if (given.count("view") &&
-      (!parse_pair(given["view"].as<std::string>(), ',', view.angles.azimuth, view.angles.elevation) ||
-       !std::isfinite(view.angles.azimuth) || !(std::abs(view.angles.elevation) <= 90)))
-    throw UsageError("--view takes two angles in degrees like 30,20, the second from -90 to 90");
-  if (given.count("up")) {
-    const std::string up = given["up"].as<std::string>();
-    if (up != "y" && up != "z") throw UsageError("--up takes y or z");
-    view.angles.z_up = up == "z";
-  }
+  if (given.count("size"))
+    scene::parse_size(given["size"].as<std::string>(), 16, kMostPixels, view.width, view.height);
+  if (given.count("view")) scene::parse_view(given["view"].as<std::string>(), view.angles);
+  if (given.count("up")) scene::parse_up(given["up"].as<std::string>(), view.angles);
   if (given.count("fit")) {
     const std::string fit = given["fit"].as<std::string>();
     if (fit != "all" && fit != "row" && fit != "each") throw UsageError("--fit takes all, row or each");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -27,11 +26,6 @@ struct CommandLine {
   std::vector<std::string> captions;  ///< texts instead, one a mesh; empty: none
   View view;
   bool help = false;
-};
-
-/// A command line that makes no sense; what() is a sentence for the user.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
 };
 
 /// Throws UsageError.

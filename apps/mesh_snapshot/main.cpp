@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <new>
 #include <optional>
 
 #include "command_line.h"
+#include "common/program.h"
 #include "io/files.h"
 #include "io/io_error.h"
 #include "io/model_file.h"
@@ -116,7 +116,7 @@ void run(CommandLine command) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
+  return run_program("mesh_snapshot", [&] {
     const CommandLine command = parse_command_line(argc, argv);
     if (command.help) {
       std::fputs(usage().c_str(), stdout);
@@ -124,13 +124,5 @@ int main(int argc, char** argv) {
       run(command);
     }
     return 0;
-  } catch (const UsageError& error) {
-    std::fprintf(stderr, "mesh_snapshot: %s.\n", error.what());
-    return 2;
-  } catch (const std::bad_alloc&) {
-    std::fputs("mesh_snapshot: the memory does not suffice.\n", stderr);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "mesh_snapshot: %s.\n", error.what());
-  }
-  return 1;
+  });
 }

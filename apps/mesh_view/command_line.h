@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
 #include "window.h"
@@ -17,11 +16,6 @@ struct CommandLine {
   double range = 0;       ///< the distance at the end of the colours; 0: chosen
   WindowOptions window;
   bool help = false;
-};
-
-/// A command line that makes no sense; what() is a sentence for the user.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
 };
 
 /// Throws UsageError.

@@ -2,9 +2,9 @@
 // mesh_view: a window with a mesh, its points and the steps to it.
 #include <cstdio>
 #include <filesystem>
-#include <new>
 
 #include "command_line.h"
+#include "common/program.h"
 #include "contents.h"
 #include "io/io_error.h"
 #include "io/model_file.h"
@@ -41,7 +41,7 @@ void run(const CommandLine& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
+  return run_program("mesh_view", [&] {
     const CommandLine command = parse_command_line(argc, argv);
     if (command.help) {
       std::fputs(usage().c_str(), stdout);
@@ -49,13 +49,5 @@ int main(int argc, char** argv) {
       run(command);
     }
     return 0;
-  } catch (const UsageError& error) {
-    std::fprintf(stderr, "mesh_view: %s.\n", error.what());
-    return 2;
-  } catch (const std::bad_alloc&) {
-    std::fputs("mesh_view: the memory does not suffice.\n", stderr);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "mesh_view: %s.\n", error.what());
-  }
-  return 1;
+  });
 }
