@@ -32,7 +32,24 @@ write_basic_package_version_file(FilmstickingPPConfigVersion.cmake COMPATIBILITY
 install(FILES
   ${PROJECT_BINARY_DIR}/FilmstickingPPConfig.cmake ${PROJECT_BINARY_DIR}/FilmstickingPPConfigVersion.cmake
   DESTINATION ${config_dir} COMPONENT development)
-install(FILES package.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/filmsticking_pp COMPONENT development)
+
+# The package of ROS: as roslaunch finds it, and with paths as in the sources.
+set(ros_share ${CMAKE_INSTALL_DATADIR}/filmsticking_pp)
+if(TARGET filmsticking_node)
+  set(ros_lib lib/filmsticking_pp)
+  file(RELATIVE_PATH node_to_lib /${ros_lib} /${CMAKE_INSTALL_LIBDIR})
+  set_target_properties(filmsticking_node PROPERTIES INSTALL_RPATH "$ORIGIN/${node_to_lib}")
+  install(TARGETS filmsticking_node DESTINATION ${ros_lib} COMPONENT ros)
+  # Elsewhere than in the folder of package.xml, roslaunch looks in catkin's workspaces only.
+  file(RELATIVE_PATH share_to_node /${ros_share} /${ros_lib}/filmsticking_node)
+  file(CREATE_LINK ${share_to_node} ${PROJECT_BINARY_DIR}/filmsticking_node SYMBOLIC)
+  install(FILES ${PROJECT_BINARY_DIR}/filmsticking_node DESTINATION ${ros_share} COMPONENT ros)
+  install(DIRECTORY launch DESTINATION ${ros_share} COMPONENT ros)
+  install(FILES tests/data/spot_10k.pcd DESTINATION ${ros_share}/tests/data COMPONENT ros)
+  install(FILES package.xml DESTINATION ${ros_share} COMPONENT ros)
+else()
+  install(FILES package.xml DESTINATION ${ros_share} COMPONENT development)
+endif()
 
 foreach(program pcd_to_mesh mesh_snapshot mesh_view mesh_report)
   if(TARGET ${program})
@@ -52,6 +69,9 @@ set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_COMPONENTS_ALL libraries development)
 if(TARGET pcd_to_mesh)
   list(APPEND CPACK_COMPONENTS_ALL programs)
+endif()
+if(TARGET filmsticking_node)
+  list(APPEND CPACK_COMPONENTS_ALL ros)
 endif()
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -76,6 +96,12 @@ endif()
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME filmsticking-tools)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION science)
 set(CPACK_COMPONENT_PROGRAMS_DESCRIPTION "The command-line programs.")
+set(CPACK_COMPONENT_ROS_DEPENDS libraries)
+set(CPACK_DEBIAN_ROS_PACKAGE_NAME ros-filmsticking-pp)
+set(CPACK_DEBIAN_ROS_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_ROS_PACKAGE_RECOMMENDS
+  "python3-roslaunch, libpcl-ros-dev, pcl-ros-tools, python3-rosbag, rviz")
+set(CPACK_COMPONENT_ROS_DESCRIPTION "The node for ROS 1 and its launch files.")
 
 foreach(component ${CPACK_COMPONENTS_ALL})
   string(TOUPPER ${component} upper)
