@@ -86,6 +86,7 @@ io::Model to_model(const PointCloud2& cloud) {
     throw MessageError("the cloud has fewer bytes than its header tells");
 
   io::Model model;
+  if (row == 0) return model;  // whatever the height
   for (std::uint64_t y = 0; y < cloud.height; ++y)
     for (std::uint64_t x = 0; x < cloud.width; ++x) {
       const std::uint8_t* point = cloud.data.data() + y * row_step + x * cloud.point_step;

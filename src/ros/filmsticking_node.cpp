@@ -207,7 +207,7 @@ class Node {
     const std::shared_ptr<const Outcome> outcome = mesher_.last_mesh();
     try {
       if (!outcome) throw io::IoError("there is no mesh yet");
-      if (!io::can_write_model(path)) throw io::IoError("its extension is none of .ply .obj .stl .vtk");
+      if (!io::can_write_model(path)) throw io::IoError("its extension is none of .ply .obj .stl .vtk .glb");
       io::write_model(path, outcome->mesh);
       response.success = true;
       response.message = "wrote " + std::filesystem::absolute(path).string();

@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "common/mesh_model.h"
 #include "filmsticking/reconstruct.h"
 #include "filters/model_filter.h"
 
@@ -23,13 +24,10 @@ Outcome reconstruct_cloud(const io::Model& cloud, const filters::FilterOptions& 
     execution.cancel = &cancel;
     Result result = reconstruct(filtered.positions, options, execution);
     outcome.status = result.status;
-    if (result.status != Status::Ok)
-      outcome.message = result.message.empty() ? describe(result.status) : result.message;
-    outcome.mesh.triangles = std::move(result.triangles);
-    for (const std::int32_t vertex : result.vertices) {
-      outcome.mesh.positions.push_back(filtered.positions[vertex]);
-      if (!filtered.colours.empty()) outcome.mesh.colours.push_back(filtered.colours[vertex]);
-    }
+    if (result.status == Status::Ok)
+      outcome.mesh = app::mesh_model(filtered, result);
+    else
+      outcome.message = app::reason(result);
     outcome.report = std::move(result.report);
   } catch (const std::bad_alloc&) {
     outcome.status = Status::OutOfMemory;

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Talks to a running filmsticking_node as other nodes do. Started by rostest: see demo.test and node.test.
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <dynamic_reconfigure/Reconfigure.h>
+#include <gtest/gtest.h>
+#include <pcl_msgs/PolygonMesh.h>
+#include <ros/ros.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+#include <visualization_msgs/Marker.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "conversions.h"
+#include "io/model_file.h"
+#include "support/clouds.h"
+#include "support/surface_check.h"
+
+namespace filmsticking::stream {
+namespace {
+
+constexpr std::chrono::seconds kPatience(40);  // for what comes at once on an idle machine
+
+/// The messages of a topic.
+template <class Message>
+class Inbox {
+ public:
+  explicit Inbox(const std::string& topic)
+      : subscriber_(
+            node_.subscribe<Message>(topic, 100, [this](const boost::shared_ptr<const Message>& message) {
+              const std::lock_guard lock(mutex_);
+              messages_.push_back(message);
+              came_.notify_all();
+            })) {}
+
+  /// The first message that is as wanted, also of those that came before; null if none comes.
+  template <class Wanted>
+  boost::shared_ptr<const Message> wait(Wanted wanted) {
+    std::unique_lock lock(mutex_);
+    boost::shared_ptr<const Message> found;
+    came_.wait_for(lock, kPatience, [&] {
+      for (const auto& message : messages_)
+        if (!found && wanted(*message)) found = message;
+      return found != nullptr;
+    });
+    return found;
+  }
+
+  void clear() {
+    const std::lock_guard lock(mutex_);
+    messages_.clear();
+  }
+
+ private:
+  ros::NodeHandle node_;
+  std::mutex mutex_;
+  std::condition_variable came_;
+  std::vector<boost::shared_ptr<const Message>> messages_;
+  ros::Subscriber subscriber_;
+};
+
+using MeshInbox = Inbox<pcl_msgs::PolygonMesh>;
+
+std_srvs::Trigger::Response call(const std::string& service) {
+  std_srvs::Trigger trigger;
+  EXPECT_TRUE(ros::service::waitForService("filmsticking/" + service, ros::Duration(kPatience.count())));
+  EXPECT_TRUE(ros::service::call("filmsticking/" + service, trigger)) << service;
+  return trigger.response;
+}
+
+std::set<Point> as_set(const std::vector<Point>& points) { return {points.begin(), points.end()}; }
+
+/// Closed, manifold, outward, and with vertices out of `points`.
+void expect_good_mesh(const io::Model& mesh, const std::vector<Point>& points) {
+  EXPECT_EQ(test::surface_fault({mesh.positions, mesh.triangles}), "");
+  EXPECT_GT(test::signed_volume({mesh.positions, mesh.triangles}), 0);
+  const std::set<Point> known = as_set(points);
+  for (const Point& p : mesh.positions) ASSERT_TRUE(known.count(p)) << p[0] << " " << p[1] << " " << p[2];
+}
+
+TEST(Demo, TheMeshOfTheFileArrives) {
+  const io::Model cloud = io::read_cloud(TEST_DATA "/spot_10k.pcd");
+  std::map<Point, io::Colour> colours;
+  for (std::size_t k = 0; k < cloud.positions.size(); ++k) colours[cloud.positions[k]] = cloud.colours[k];
+
+  MeshInbox meshes("filmsticking/mesh");
+  const auto message = meshes.wait([](const pcl_msgs::PolygonMesh& mesh) { return !mesh.polygons.empty(); });
+  ASSERT_TRUE(message);
+  EXPECT_EQ(message->header.frame_id, "map");
+  EXPECT_EQ(message->cloud.header.frame_id, "map");
+  const io::Model mesh = to_mesh_model(*message);
+  expect_good_mesh(mesh, cloud.positions);
+  EXPECT_GT(mesh.positions.size(), cloud.positions.size() * 99 / 100);
+  ASSERT_EQ(mesh.colours.size(), mesh.positions.size());
+  for (std::size_t k = 0; k < mesh.positions.size(); ++k)
+    ASSERT_EQ(mesh.colours[k], colours.at(mesh.positions[k]));
+
+  Inbox<visualization_msgs::Marker> markers("filmsticking/marker");  // latched: it was published before
+  const auto marker = markers.wait([](const auto& any) { return !any.points.empty(); });
+  ASSERT_TRUE(marker);
+  EXPECT_EQ(marker->header.frame_id, "map");
+  EXPECT_EQ(marker->points.size(), 3 * mesh.triangles.size());
+  EXPECT_EQ(marker->colors.size(), marker->points.size());
+}
+
+class NodeTest : public testing::Test {
+ protected:
+  NodeTest() : input(node.advertise<sensor_msgs::PointCloud2>("points", 1000)) {}
+
+  void SetUp() override {
+    const auto deadline = std::chrono::steady_clock::now() + kPatience;
+    while (input.getNumSubscribers() == 0 && std::chrono::steady_clock::now() < deadline)
+      ros::WallDuration(0.01).sleep();
+    ASSERT_GT(input.getNumSubscribers(), 0u);
+    if (defaults.doubles.empty()) defaults = set({});
+    set(defaults);
+    ASSERT_TRUE(call("reset").success);
+  }
+
+  /// Sets parameters as dynamic_reconfigure's clients do; the answer is what holds now.
+  static dynamic_reconfigure::Config set(const dynamic_reconfigure::Config& config) {
+    dynamic_reconfigure::Reconfigure request;
+    request.request.config = config;
+    EXPECT_TRUE(
+        ros::service::waitForService("filmsticking/set_parameters", ros::Duration(kPatience.count())));
+    EXPECT_TRUE(ros::service::call("filmsticking/set_parameters", request));
+    return request.response.config;
+  }
+  template <class Parameter, class Value>
+  static void put(std::vector<Parameter>& parameters, const std::string& name, const Value& value) {
+    Parameter parameter;
+    parameter.name = name;
+    parameter.value = value;
+    parameters.push_back(parameter);
+  }
+  static void set(const std::string& name, int value) {
+    dynamic_reconfigure::Config config;
+    put(config.ints, name, value);
+    set(config);
+  }
+  static void set(const std::string& name, double value) {
+    dynamic_reconfigure::Config config;
+    put(config.doubles, name, value);
+    set(config);
+  }
+  static std::string set(const std::string& name, const std::string& value) {
+    dynamic_reconfigure::Config config;
+    put(config.strs, name, value);
+    for (const auto& parameter : set(config).strs)
+      if (parameter.name == name) return parameter.value;
+    return "?";
+  }
+
+  /// Publishes a cloud with a stamp of its own.
+  ros::Time publish(const io::Model& model, const std::string& frame_id = "map") {
+    sensor_msgs::PointCloud2 cloud;
+    to_cloud(model, cloud);
+    cloud.header.frame_id = frame_id;
+    cloud.header.stamp = ++stamp;
+    input.publish(cloud);
+    return cloud.header.stamp;
+  }
+
+  /// A sphere of points in single precision.
+  static io::Model ball(int points, std::uint64_t seed = 1, Point centre = {0, 0, 0}) {
+    io::Model model{test::sphere(points, seed, centre), {}, {}};
+    for (Point& p : model.positions)
+      for (double& x : p) x = static_cast<float>(x);
+    return model;
+  }
+
+  /// The mesh with that stamp.
+  io::Model mesh_of(ros::Time of) {
+    const auto message = meshes.wait([of](const pcl_msgs::PolygonMesh& mesh) {
+      return mesh.header.stamp == of && !mesh.polygons.empty();
+    });
+    EXPECT_TRUE(message);
+    return message ? to_mesh_model(*message) : io::Model();
+  }
+
+  /// Calls reconstruct until something was received.
+  std_srvs::Trigger::Response reconstruct() {
+    for (int attempt = 0;; ++attempt) {
+      const auto response = call("reconstruct");
+      if (response.message != "no points have come yet" || attempt == 400) return response;
+      ros::WallDuration(0.05).sleep();
+    }
+  }
+
+  /// A count that ++ makes a time of.
+  struct Stamp {
+    ros::Time operator++() { return ros::Time(1000 + ++count, 500); }
+    std::uint32_t count = 0;
+  };
+
+  static Stamp stamp;
+  static dynamic_reconfigure::Config defaults;
+  ros::NodeHandle node;
+  ros::Publisher input;
+  MeshInbox meshes{"filmsticking/mesh"};
+};
+
+NodeTest::Stamp NodeTest::stamp;
+dynamic_reconfigure::Config NodeTest::defaults;
+
+TEST_F(NodeTest, AMeshForEachCloud) {
+  for (int seed = 1; seed <= 3; ++seed) {
+    const io::Model cloud = ball(1000, static_cast<std::uint64_t>(seed));
+    const io::Model mesh = mesh_of(publish(cloud));
+    expect_good_mesh(mesh, cloud.positions);
+    EXPECT_GT(mesh.positions.size(), 900u);
+  }
+}
+
+TEST_F(NodeTest, ServicesAnswer) {
+  const std::string path = std::string(std::getenv("ROS_HOME")) + "/saved.ply";
+  std::remove(path.c_str());
+  EXPECT_EQ(set("save_path", path), path);
+  EXPECT_FALSE(call("reconstruct").success);
+  EXPECT_FALSE(call("save").success);
+
+  set("every_frames", 0);
+  const io::Model cloud = ball(1000);
+  publish(cloud);
+  const auto response = reconstruct();
+  EXPECT_TRUE(response.success) << response.message;
+  EXPECT_NE(response.message.find("closed mesh"), std::string::npos) << response.message;
+
+  const auto saved = call("save");
+  ASSERT_TRUE(saved.success) << saved.message;
+  expect_good_mesh(io::read_mesh(path), cloud.positions);
+  set("save_path", std::string("/nowhere/mesh.ply"));
+  EXPECT_FALSE(call("save").success);
+  set("save_path", std::string("mesh.doc"));
+  EXPECT_FALSE(call("save").success);
+
+  meshes.clear();
+  EXPECT_TRUE(call("reset").success);
+  EXPECT_TRUE(meshes.wait([](const pcl_msgs::PolygonMesh& mesh) { return mesh.polygons.empty(); }));
+  EXPECT_FALSE(call("reconstruct").success);
+  EXPECT_FALSE(call("save").success);
+}
+
+TEST_F(NodeTest, CollectsAndFusesAsReconfigured) {
+  set("window", 0);
+  set("voxel", 0.25);
+  set("every_frames", 5);
+  std::vector<Point> points;
+  ros::Time last;
+  for (int seed = 1; seed <= 5; ++seed) {
+    const io::Model cloud = ball(400, static_cast<std::uint64_t>(seed));
+    points.insert(points.end(), cloud.positions.begin(), cloud.positions.end());
+    last = publish(cloud);
+  }
+  const io::Model mesh = mesh_of(last);
+  expect_good_mesh(mesh, points);
+  std::set<Point> cells;
+  for (const Point& p : mesh.positions)
+    EXPECT_TRUE(
+        cells.insert({std::floor(p[0] / 0.25), std::floor(p[1] / 0.25), std::floor(p[2] / 0.25)}).second);
+  EXPECT_GT(cells.size(), 100u);
+}
+
+TEST_F(NodeTest, RefusesParametersThatMakeNoSense) {
+  EXPECT_EQ(set("crop", std::string("-9,-9,-9,9,9,9")), "-9,-9,-9,9,9,9");
+  EXPECT_EQ(set("crop", std::string("here")), "-9,-9,-9,9,9,9");
+  EXPECT_EQ(set("sor", std::string("1,2,3,4")), "");
+  const io::Model cloud = ball(500);
+  expect_good_mesh(mesh_of(publish(cloud)), cloud.positions);
+}
+
+TEST_F(NodeTest, RunsTheFilters) {
+  set("crop", std::string("-2,-2,-2,2,2,2"));
+  set("max_range", 20.0);
+  io::Model cloud = ball(500);
+  const std::vector<Point> inside = cloud.positions;
+  for (const Point& p : ball(300, 2, {5, 0, 0}).positions) cloud.positions.push_back(p);
+  for (const Point& p : ball(300, 3, {50, 0, 0}).positions) cloud.positions.push_back(p);
+  expect_good_mesh(mesh_of(publish(cloud)), inside);
+}
+
+TEST_F(NodeTest, MovesCloudsToTheFixedFrame) {
+  tf2_ros::StaticTransformBroadcaster broadcaster;
+  geometry_msgs::TransformStamped transform;
+  transform.header.frame_id = "map";
+  transform.child_frame_id = "sensor";
+  transform.transform.translation.x = 16;  // a sum that single precision holds
+  transform.transform.rotation.w = 1;
+  broadcaster.sendTransform(transform);
+  set("fixed_frame", std::string("map"));
+
+  io::Model cloud = ball(500);
+  for (Point& p : cloud.positions)
+    for (double& x : p) x = std::round(x * 65536) / 65536;
+  std::vector<Point> moved = cloud.positions;
+  for (Point& p : moved) p[0] += 16;
+  const ros::Time at = publish(cloud, "sensor");
+  expect_good_mesh(mesh_of(at), moved);
+  const auto message = meshes.wait([at](const auto& mesh) { return mesh.header.stamp == at; });
+  EXPECT_EQ(message->header.frame_id, "map");
+}
+
+TEST_F(NodeTest, ABurstEndsWithTheNewestAndIsTold) {
+  Inbox<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
+  ASSERT_TRUE(diagnostics.wait([](const auto&) { return true; }));
+  const io::Model cloud = ball(3000);
+  ros::Time last;
+  for (int frame = 0; frame < 150; ++frame) last = publish(cloud);
+  expect_good_mesh(mesh_of(last), cloud.positions);
+  EXPECT_TRUE(diagnostics.wait([](const diagnostic_msgs::DiagnosticArray& array) {
+    for (const auto& status : array.status)
+      if (status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
+          status.message.find("falls behind") != std::string::npos)
+        return true;
+    return false;
+  }));
+}
+
+TEST_F(NodeTest, HoldsNoMoreThanItMay) {
+  set("max_points", 700);
+  const io::Model cloud = ball(5000);
+  const io::Model mesh = mesh_of(publish(cloud));
+  expect_good_mesh(mesh, cloud.positions);
+  EXPECT_LE(mesh.positions.size(), 700u);
+}
+
+TEST_F(NodeTest, OutlivesBrokenClouds) {
+  sensor_msgs::PointCloud2 cloud;
+  input.publish(cloud);  // no frame
+  cloud.header.frame_id = "map";
+  input.publish(cloud);  // no fields
+  to_cloud(ball(100), cloud);
+  cloud.header.frame_id = "map";
+  cloud.width *= 1000;
+  input.publish(cloud);  // too few bytes
+  publish(io::Model());
+  publish(ball(100), "a_frame_that_nobody_knows");
+  publish({std::vector<Point>(50, {1, 2, 3}), {}, {}});
+  const io::Model good = ball(500);
+  expect_good_mesh(mesh_of(publish(good)), good.positions);
+}
+
+}  // namespace
+}  // namespace filmsticking::stream
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "node_test");
+  ros::NodeHandle keeps_ros_running;
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  const int result = RUN_ALL_TESTS();
+  ros::shutdown();
+  return result;
+}
