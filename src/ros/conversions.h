@@ -13,9 +13,11 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "frame.h"
 #include "io/model.h"
+#include "shading.h"
 
 namespace filmsticking::stream {
 
@@ -173,8 +175,8 @@ io::Model to_mesh_model(const PolygonMesh& mesh) {
   return model;
 }
 
-/// Fills a visualization_msgs/Marker but for its header: a list of triangles, with a colour for each corner
-/// where the model has colours, else grey; without triangles, a request to take the marker off.
+/// Fills a visualization_msgs/Marker but for its header: a list of triangles, where the model has colours
+/// with one, shaded, for each corner, else grey; without triangles, a request to take the marker off.
 template <class Marker>
 void to_marker(const io::Model& model, Marker& marker) {
   marker.ns = "filmsticking";
@@ -187,6 +189,7 @@ void to_marker(const io::Model& model, Marker& marker) {
   marker.color.a = 1;
   marker.points.resize(3 * model.triangles.size());
   marker.colors.resize(model.colours.empty() ? 0 : marker.points.size());
+  const std::vector<float> light = model.colours.empty() ? std::vector<float>() : shades(model);
   std::size_t corner = 0;
   for (const Triangle& t : model.triangles)
     for (const std::int32_t vertex : t) {
@@ -194,9 +197,9 @@ void to_marker(const io::Model& model, Marker& marker) {
       marker.points[corner].y = model.positions[vertex][1];
       marker.points[corner].z = model.positions[vertex][2];
       if (!model.colours.empty()) {
-        marker.colors[corner].r = model.colours[vertex][0] / 255.0f;
-        marker.colors[corner].g = model.colours[vertex][1] / 255.0f;
-        marker.colors[corner].b = model.colours[vertex][2] / 255.0f;
+        marker.colors[corner].r = light[vertex] * model.colours[vertex][0] / 255.0f;
+        marker.colors[corner].g = light[vertex] * model.colours[vertex][1] / 255.0f;
+        marker.colors[corner].b = light[vertex] * model.colours[vertex][2] / 255.0f;
         marker.colors[corner].a = 1;
       }
       ++corner;

@@ -197,7 +197,11 @@ TEST(Conversions, AMarkerHasTheCornersOfAllTriangles) {
   ASSERT_EQ(marker.points.size(), 12u);
   ASSERT_EQ(marker.colors.size(), 12u);
   EXPECT_EQ(marker.points[5].z, 1);
-  EXPECT_FLOAT_EQ(marker.colors[5].g, 2 / 255.0f);
+  const float shade = marker.colors[5].g * 255 / 2;
+  EXPECT_GE(shade, 0.5f);
+  EXPECT_LE(shade, 1);
+  EXPECT_FLOAT_EQ(marker.colors[5].r, shade * 1 / 255);
+  EXPECT_FLOAT_EQ(marker.colors[5].b, shade * 3 / 255);
   EXPECT_EQ(marker.colors[5].a, 1);
 
   to_marker(io::Model(), marker);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Talks to a running filmsticking_node as other nodes do. Started by rostest: see demo.test and node.test.
+// Talks to a running filmsticking_node as other nodes do. Started by rostest: see the files *.test.
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <gtest/gtest.h>
@@ -110,6 +110,19 @@ TEST(Demo, TheMeshOfTheFileArrives) {
   EXPECT_EQ(marker->header.frame_id, "map");
   EXPECT_EQ(marker->points.size(), 3 * mesh.triangles.size());
   EXPECT_EQ(marker->colors.size(), marker->points.size());
+}
+
+TEST(Bag, ItsCloudsAreFused) {
+  constexpr int kClouds = 12, kPoints = 150;  // as write_bag.py writes
+  const ros::Time last(2000 + 0.25 * (kClouds - 1));
+  MeshInbox meshes("filmsticking/mesh");
+  const auto message = meshes.wait([last](const auto& mesh) { return mesh.header.stamp == last; });
+  ASSERT_TRUE(message);
+  EXPECT_EQ(message->header.frame_id, "map");
+  const io::Model mesh = to_mesh_model(*message);
+  EXPECT_EQ(test::surface_fault({mesh.positions, mesh.triangles}), "");
+  EXPECT_EQ(mesh.positions.size(), std::size_t{kClouds * kPoints});
+  for (const Point& p : mesh.positions) EXPECT_NEAR(std::hypot(p[0], p[1], p[2]), 1, 1e-5);
 }
 
 class NodeTest : public testing::Test {
@@ -347,6 +360,21 @@ TEST_F(NodeTest, OutlivesBrokenClouds) {
   publish({std::vector<Point>(50, {1, 2, 3}), {}, {}});
   const io::Model good = ball(500);
   expect_good_mesh(mesh_of(publish(good)), good.positions);
+}
+
+/// The node as live_scanner.launch starts it.
+class LiveTest : public NodeTest {};
+
+TEST_F(LiveTest, MeshesWhatIsInRange) {
+  for (int frame = 0; frame < 3; ++frame) {
+    io::Model cloud = ball(2000, 1, {0, 0, 6});  // too far
+    std::vector<Point> near = ball(2000, 2).positions;
+    for (Point& p : near) p = {p[0] / 4, p[1] / 4, static_cast<float>(p[2] / 4 + 1)};
+    cloud.positions.insert(cloud.positions.end(), near.begin(), near.end());
+    const io::Model mesh = mesh_of(publish(cloud, "camera"));
+    expect_good_mesh(mesh, near);
+    EXPECT_GT(mesh.positions.size(), 1000u);
+  }
 }
 
 }  // namespace
