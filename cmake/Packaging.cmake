@@ -52,7 +52,7 @@ else()
   install(FILES package.xml DESTINATION ${ros_share} COMPONENT development)
 endif()
 
-foreach(program pcd_to_mesh mesh_snapshot mesh_view mesh_report)
+foreach(program pcd_to_mesh capture_to_mesh mesh_snapshot mesh_view mesh_report)
   if(TARGET ${program})
     file(RELATIVE_PATH bin_to_lib /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
     set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
