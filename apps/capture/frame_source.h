@@ -30,8 +30,8 @@ class FrameSource {
 std::unique_ptr<FrameSource> pcd_sequence(std::vector<std::string> files);
 
 /// A recording of a depth camera (.oni), or a live one by its OpenNI2 name ("", "#1", a URI), by
-/// pcl::io::OpenNI2Grabber. Frames that are not fetched in time are dropped, the oldest first. Throws
-/// CaptureError, also where PCL was built without OpenNI2.
+/// pcl::io::OpenNI2Grabber. A recording plays once, at its own speed; frames that are not fetched in time are
+/// dropped, the oldest first. Throws CaptureError, also where PCL was built without OpenNI2.
 std::unique_ptr<FrameSource> openni_source(const std::string& device_or_file);
 
 /// Whether openni_source() can work at all.

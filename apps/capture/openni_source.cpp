@@ -28,6 +28,7 @@ class FrameQueue {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (frames_.size() == kMost) frames_.pop_front();
     frames_.push_back(std::move(frame));
+    begun_ = true;
     last_ = std::chrono::steady_clock::now();
     filled_.notify_one();
   }
@@ -41,9 +42,10 @@ class FrameQueue {
     return frame;
   }
 
-  bool silent_for(std::chrono::milliseconds time) const {
+  /// Whether nothing has come for so long that nothing will; a camera takes its time to begin.
+  bool silent() const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return frames_.empty() && std::chrono::steady_clock::now() - last_ > time;
+    return frames_.empty() && std::chrono::steady_clock::now() - last_ > (begun_ ? 3s : 10s);
   }
 
  private:
@@ -51,12 +53,13 @@ class FrameQueue {
   mutable std::mutex mutex_;
   std::condition_variable filled_;
   std::deque<Frame> frames_;
+  bool begun_ = false;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 class OpenniSource : public FrameSource {
  public:
-  explicit OpenniSource(const std::string& name) {
+  explicit OpenniSource(const std::string& name) : recording_(is_file(name)) {
     try {
       grabber_ = std::make_unique<pcl::io::OpenNI2Grabber>(name);
       // With colours where the camera has them.
@@ -66,9 +69,7 @@ class OpenniSource : public FrameSource {
         listen<pcl::PointXYZ>();
       grabber_->start();
     } catch (const std::exception&) {  // several lines about PCL's own code
-      std::error_code error;
-      if (std::filesystem::exists(name, error))
-        throw CaptureError(name + ": it is no recording that OpenNI2 can play");
+      if (recording_) throw CaptureError(name + ": it is no recording that OpenNI2 can play");
       throw CaptureError("OpenNI2 finds no depth camera" + (name.empty() ? name : " '" + name + "'"));
     }
   }
@@ -82,15 +83,24 @@ class OpenniSource : public FrameSource {
 
   std::optional<Frame> next() override { return queue_.pop(); }
 
-  /// A recording ends by silence; a camera that is silent so long is gone.
-  bool at_end() const override { return queue_.silent_for(3s); }
+  bool at_end() const override { return queue_.silent(); }
 
  private:
+  static bool is_file(const std::string& name) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(name, error);
+  }
+
   template <typename PointT>
   void listen() {
     using Cloud = pcl::PointCloud<PointT>;
     grabber_->registerCallback(
         std::function<void(const typename Cloud::ConstPtr&)>([this](const typename Cloud::ConstPtr& cloud) {
+          // OpenNI2 plays a recording again and again: the end is where the numbers or the times fall.
+          if (recording_ && (cloud->header.seq < seq_ || cloud->header.stamp < stamp_)) ended_ = true;
+          if (ended_) return;
+          seq_ = cloud->header.seq;
+          stamp_ = cloud->header.stamp;
           Frame frame;
           frame.name = "frame " + std::to_string(++count_);
           if (cloud->header.stamp > 0) frame.time = static_cast<double>(cloud->header.stamp) * 1e-6;
@@ -100,7 +110,11 @@ class OpenniSource : public FrameSource {
   }
 
   FrameQueue queue_;
-  std::size_t count_ = 0;
+  const bool recording_;
+  std::size_t count_ = 0;  // this and the following are for the grabber's thread
+  std::uint32_t seq_ = 0;
+  std::uint64_t stamp_ = 0;
+  bool ended_ = false;
   std::unique_ptr<pcl::io::OpenNI2Grabber> grabber_;  // last: it goes first, and with it the callbacks
 };
 

@@ -193,7 +193,9 @@ int run(const CommandLine& command) {
     stop_on_signal();
     unread = capture_frames(command, *source, accumulator);
   }
-  if (accumulator.placed().empty()) throw capture::CaptureError("no frame could be used");
+  if (accumulator.placed().empty())
+    throw capture::CaptureError(accumulator.left_out() + unread > 0 ? "no frame could be used"
+                                                                    : "no frame came");
 
   io::Model cloud = accumulator.points(command.seen_by);
   filters::FilterOptions last;
