@@ -40,6 +40,8 @@ std::unique_ptr<capture::FrameSource> open_source(const CommandLine& command) {
     return capture::pcd_sequence(capture::pcd_files_in(command.inputs[0]));
   for (const std::string& input : command.inputs)
     with_file(input, [&] {
+      std::error_code missing;
+      if (!fs::exists(input, missing)) throw io::IoError("there is no such file or folder");
       const std::string extension = io::extension_of(input);
       if (extension != ".pcd" && (extension != ".oni" || command.inputs.size() > 1))
         throw io::IoError("a recording is a folder of .pcd files, .pcd files, or one .oni file");

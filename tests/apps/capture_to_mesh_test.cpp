@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/property_tree/json_parser.hpp>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -175,6 +176,28 @@ TEST_F(Turntable, InterruptedItMeshesWhatThereIs) {
   EXPECT_NE(outcome.out.find("interrupted"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.err.find("after 1 frame"), std::string::npos) << outcome.err;
   expect_closed(mesh);
+}
+
+TEST(CaptureToMesh, PlaysTheBundledRecording) {
+  const ScratchFolder folder;
+  const std::string recording = TEST_DATA "/spot_turntable";
+  const Outcome outcome =
+      capture_to_mesh({recording, folder / "mesh.glb", "--poses", recording + "/poses.txt", "--save-cloud",
+                       folder / "cloud.ply", "--save-poses", folder / "poses.txt"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("24 used, 0 left out"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("closed  yes, manifold\ngenus   0, 1 component"), std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(io::read_file(folder / "poses.txt"), io::read_file(recording + "/poses.txt"));
+  // Another sampling of the same model: its points are on the fused surface.
+  const Model fused = io::read_cloud(folder / "cloud.ply"), spot = io::read_cloud(TEST_DATA "/spot_10k.ply");
+  std::size_t near = 0;
+  for (std::size_t i = 0; i < spot.positions.size(); i += 20)
+    near += std::any_of(fused.positions.begin(), fused.positions.end(), [&](const Point& p) {
+      const Point& q = spot.positions[i];
+      return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) < 0.05;
+    });
+  EXPECT_GT(near, spot.positions.size() / 20 * 98 / 100);
 }
 
 TEST(CaptureToMesh, FitsTwoRealScans) {
