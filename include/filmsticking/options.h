@@ -51,6 +51,14 @@ struct Options {
   /// splitting its nearest face where that is clean.
   bool insert_leftover = true;
 
+  /// Leave out the faces that no data supports (see Result::gaps): the result is a manifold with boundary
+  /// then, the visible surface of a scan from one side, say. A cloud from all sides stays closed.
+  bool open_boundary = false;
+
+  /// Bring on outliers, too: points far from all others that are no part of a surface. They are left off
+  /// otherwise.
+  bool keep_outliers = false;
+
   /// Film steps allowed in one evolution of the film before the first field; at least 1.
   int max_steps = 60;
 

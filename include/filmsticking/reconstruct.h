@@ -21,7 +21,11 @@ struct Result {
   std::string message;                    ///< one sentence about a failure; empty when `status` is Ok
   std::vector<std::int32_t> vertices;     ///< vertex k is input point vertices[k]; strictly increasing
   std::vector<Triangle> triangles;        ///< indices into `vertices`, counter-clockwise seen from outside
-  Report report;                          ///< what was done, also after a failure
+  /// [triangle]: the gap that it bridges, as the diameter of the smallest circle around it in spacings of the
+  /// points there; without unit. About 1.5 on an evenly sampled surface; faces across what the points leave
+  /// open have large ones.
+  std::vector<float> gaps;
+  Report report;  ///< what was done, also after a failure
 };
 
 /// Reconstructs a surface through `points` by Filmsticking++ (Wang et al., arXiv 2602.11433).
@@ -32,7 +36,9 @@ struct Result {
 ///  3. Oriented: neighbouring faces agree, and every outermost component encloses positive volume.
 ///  4. Interpolating: vertices are input points, named by index; no position is computed.
 ///  5. Deterministic: the same points give the same result, for any number of threads.
-///  6. A failure is a status and a sentence with an empty mesh; nothing is thrown.
+///  6. With Options::open_boundary, in place of 1: every edge has one or two faces; and in place of 2: the
+///     faces around every vertex form one ring or one fan.
+///  7. A failure is a status and a sentence with an empty mesh; nothing is thrown.
 ///
 /// `points`: any number, any order, in any unit; NaN, infinite and repeated points are skipped.
 /// Needs about 2 KB of memory a point.

@@ -26,21 +26,24 @@ struct RoomSeconds {
 
 /// What a reconstruction did; filled as far as it got, whatever the status.
 struct Report {
-  std::int64_t points = 0;         ///< points handed in
-  std::int64_t sites = 0;          ///< distinct finite points
-  std::int64_t non_finite = 0;     ///< points left out because a coordinate is NaN or infinite
-  std::int64_t duplicates = 0;     ///< points left out because an equal one came before
-  std::int64_t interpolated = 0;   ///< sites that are vertices of the result
-  std::int64_t inserted = 0;       ///< of these, brought on one by one at the end
-  std::int64_t triangles = 0;      ///< of the result
-  std::int64_t components = 0;     ///< connected pieces of the result
-  std::int64_t genus = 0;          ///< sum over the components
-  int rounds = 0;                  ///< rounds of field and film
-  bool closed = false;             ///< checked on the result: every edge has two faces
-  bool manifold = false;           ///< checked on the result: closed, oriented, every vertex has one ring
-  std::vector<StepRecord> steps;   ///< one a film step, in order
-  std::vector<RoomSeconds> rooms;  ///< in the order in which they were first entered
-  double seconds = 0;              ///< wall time of the whole reconstruction
+  std::int64_t points = 0;        ///< points handed in
+  std::int64_t sites = 0;         ///< distinct finite points
+  std::int64_t non_finite = 0;    ///< points left out because a coordinate is NaN or infinite
+  std::int64_t duplicates = 0;    ///< points left out because an equal one came before
+  std::int64_t interpolated = 0;  ///< sites that are vertices of the result
+  std::int64_t outliers = 0;      ///< sites left off because no others are near (see Options::keep_outliers)
+  std::int64_t inserted = 0;      ///< of these, brought on one by one at the end
+  std::int64_t triangles = 0;     ///< of the result
+  std::int64_t components = 0;    ///< connected pieces of the result
+  std::int64_t genus = 0;         ///< sum over the components
+  std::int64_t boundary_edges = 0;  ///< with one face; none unless an open surface was asked for
+  std::int64_t boundary_loops = 0;  ///< closed loops of such edges
+  int rounds = 0;                   ///< rounds of field and film
+  bool closed = false;              ///< checked on the result: every edge has two faces
+  bool manifold = false;            ///< checked on the result: oriented, every vertex has one ring or fan
+  std::vector<StepRecord> steps;    ///< one a film step, in order
+  std::vector<RoomSeconds> rooms;   ///< in the order in which they were first entered
+  double seconds = 0;               ///< wall time of the whole reconstruction
 };
 
 }  // namespace filmsticking

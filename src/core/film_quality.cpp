@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "film.h"
+#include "triangle_adjacency.h"
 
 namespace filmsticking {
 
@@ -24,8 +25,10 @@ FilmQuality film_quality(const GuidingSurface& film, const SiteGeometry& geometr
       disagree += 1 - std::abs(normal.dot(geometry.normal[film.site[v]])) / twice;
       spacing = std::max(spacing, geometry.spacing[film.site[v]]);
     }
-    area += twice;
-    sum += twice * disagree / 3;
+    // A face bridging a gap says no more than one sample does.
+    const double weight = std::min(twice, 2 * spacing * spacing);
+    area += weight;
+    sum += weight * disagree / 3;
     if ((a - b).norm() * (b - c).norm() * (c - a).norm() / (2 * twice) > 3 * spacing) ++quality.wide_faces;
   }
   if (area > 0) quality.disagreement = sum / area;
@@ -37,6 +40,13 @@ FilmQuality film_quality(const GuidingSurface& film, const SiteGeometry& geometr
       opposed += vertex_normal[s].dot(vertex_normal[other]) < 0;
     }
   if (pairs > 0) quality.conflict = static_cast<double>(opposed) / static_cast<double>(pairs);
+  std::vector<Index> component;
+  const std::vector<Index> twin = half_edge_twins(film.triangles, static_cast<Index>(film.positions.size()));
+  const std::int64_t pieces = connected_components(twin, component);
+  const std::int64_t rim = std::count(twin.begin(), twin.end(), kNone);
+  const auto faces = static_cast<std::int64_t>(film.triangles.size());
+  const std::int64_t euler = static_cast<std::int64_t>(film.positions.size()) - (faces - rim) / 2;
+  quality.complexity = pieces + std::max<std::int64_t>(0, 2 * pieces - euler) / 2;
   quality.off =
       static_cast<std::int64_t>(geometry.spacing.size()) - attracted_points(film, geometry.spacing.size());
   return quality;

@@ -11,9 +11,11 @@
 #include "field/poisson.h"
 #include "field/sculpt.h"
 #include "field/signed_field.h"
+#include "field/two_sides.h"
 #include "field/winding_number.h"
 #include "film.h"
 #include "insert_sites.h"
+#include "open_surface.h"
 #include "parallel.h"
 #include "virtual_sites.h"
 
@@ -23,11 +25,15 @@ namespace {
 // A belief is weighed against the evidence with this conviction; it grows around sites that the cut leaves
 // off, a few times: thin plates are given up by a weak one, and a strong one everywhere would not be smooth.
 constexpr double kConviction = 0.1, kConvictionGrowth = 4;
+// The two sides of an open surface are known better, but closing it costs the area of the gap.
+constexpr double kSidesConviction = 1;
 constexpr int kCuts = 6;
 // The first cut that keeps this share of the sites has the shape; later ones only bring sites.
 constexpr double kKeptShare = 0.8;
 // A cut that leaves this share off as the one before is the last.
 constexpr double kStalled = 0.95;
+// What a component or a handle costs a candidate, in sites off it.
+constexpr double kComplexityPrice = 5;
 // What a site off the surface costs, in areas of one sample.
 constexpr double kOffPrice = 5;
 // Widths up to which carving does not enter, in spacings, and how much surer it is of the outside for a width
@@ -52,15 +58,18 @@ bool of_sites(const GuidingSurface& film) {
 
 }  // namespace
 
-Pipeline::Pipeline(const SiteSet& sites, const Options& options, Monitor& monitor, Report& report)
-    : sites_(sites), options_(options), monitor_(monitor), report_(report) {}
+Pipeline::Pipeline(const SiteSet& sites, const SiteGeometry& geometry, const Options& options,
+                   Monitor& monitor, Report& report)
+    : sites_(sites), geometry_(geometry), options_(options), monitor_(monitor), report_(report) {}
 
 double Pipeline::Candidate::score() const {
   if (film.triangles.empty()) return std::numeric_limits<double>::infinity();
   const double sites = static_cast<double>(film.site.size()) + static_cast<double>(quality.off);
   // An inserted site is on the film, but where the film did not go by itself.
   return quality.disagreement + 0.1 * quality.conflict +
-         (static_cast<double>(quality.off) + 0.2 * static_cast<double>(inserted)) / sites;
+         (static_cast<double>(quality.off) + 0.2 * static_cast<double>(inserted) +
+          kComplexityPrice * static_cast<double>(quality.complexity)) /
+             sites;
 }
 
 void Pipeline::prepare() {
@@ -69,7 +78,6 @@ void Pipeline::prepare() {
   if (options_.initial_surface != InitialSurface::Carve) voronoi_ = triangulation.voronoi();
   mesh_ = make_tetrahedral_mesh(triangulation.tetrahedra(), sites_.perturbed);
   monitor_.enter("local evidence", 0.15);
-  geometry_ = site_geometry(sites_.perturbed);
   evidence_ = facet_evidence(mesh_, sites_.perturbed, geometry_);
 }
 
@@ -121,14 +129,17 @@ Pipeline::Candidate Pipeline::finish(GuidingSurface film) {
 
 // The surface of a cut by a belief, made manifold. The first cut that keeps most sites gives the topology;
 // later ones, by growing conviction around the sites left off, where it should go.
-Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conviction) {
+Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conviction, bool open) {
   const std::size_t n = sites_.size();
   LabelCosts costs{evidence_.cost, std::vector<double>(mesh_.size()), std::vector<double>(n)};
   parallel_each(mesh_.size(), [&](std::size_t t) {
     const auto& area = evidence_.area[t];
     costs.hold[t] = conviction * (area[0] + area[1] + area[2] + area[3]) * belief[t];
   });
-  for (std::size_t v = 0; v < n; ++v) costs.off[v] = kOffPrice * geometry_.spacing[v] * geometry_.spacing[v];
+  for (std::size_t v = 0; v < n; ++v) {
+    const double spacing = std::min(geometry_.spacing[v], near_spacing(geometry_, static_cast<Index>(v)));
+    costs.off[v] = kOffPrice * spacing * spacing;
+  }
 
   Candidate candidate;
   std::vector<double> hold = costs.hold;
@@ -136,7 +147,7 @@ Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conv
   std::size_t labels_off = n + 1, aim_off = n + 1, last_off = n;
   for (int i = 0; i < kCuts; ++i) {
     monitor_.enter("sculpting", monitor_.share());
-    const std::vector<char> inside = sculpt(mesh_, evidence_, hold);
+    const std::vector<char> inside = sculpt(mesh_, evidence_, hold, open);
     std::vector<char> sides(n, 0);  // of each site: 1 inside, 2 outside, 3 both: it is on the surface
     for (std::size_t t = 0; t < mesh_.size(); ++t)
       for (Index v : mesh_.tets.corners[t])
@@ -163,11 +174,14 @@ Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conv
 
   monitor_.enter("manifold", monitor_.share());
   ManifoldLabels manifold(mesh_, geometry_, costs, labels);
-  manifold.repair();
+  manifold.repair(options_.open_boundary ? manifold_without_bridges(tetrahedral_boundary(mesh_, labels),
+                                                                    sites_.perturbed, geometry_)
+                                         : std::vector<char>());
   manifold.warp(aim);
   if (options_.insert_leftover) manifold.reach();
   candidate.inserted = manifold.counts().reached;
   candidate.film = film_of_sites(tetrahedral_boundary(mesh_, labels), sites_.perturbed);
+  if (options_.open_boundary) remove_bridges(candidate.film, geometry_);
   candidate.quality = film_quality(candidate.film, geometry_);
   return candidate;
 }
@@ -211,6 +225,16 @@ Pipeline::Candidate Pipeline::carve() {
   monitor_.enter("signed field", 0.25);
   Candidate best = cut(signed_field(mesh_, evidence_, carve_belief(2, kInsideSlope)), kConviction);
   if (best.weak <= kLittleTrouble && !best.film.triangles.empty()) return best;
+  monitor_.enter("two sides", monitor_.share());
+  Candidate sides =
+      cut(two_sides(mesh_, sites_.perturbed, evidence_, geometry_), kSidesConviction, options_.open_boundary);
+  // A plain open surface: nothing else can be better, and all else takes long there.
+  const bool plain = sides.weak <= kLittleTrouble && static_cast<double>(sides.quality.complexity) <=
+                                                         kLittleTrouble * static_cast<double>(sites_.size());
+  if (sides.score() < best.score()) {
+    best = std::move(sides);
+    if (plain) return best;
+  }
   for (const double width : kCarveWidths) {
     monitor_.enter("carving", monitor_.share());
     Candidate other = cut(carve_belief(width, kCarveSlope), kConviction);

@@ -19,7 +19,8 @@ namespace filmsticking {
 /// From sites to the final film: the first film, its evolution, rounds of field and film, insertion.
 class Pipeline {
  public:
-  Pipeline(const SiteSet& sites, const Options& options, Monitor& monitor, Report& report);
+  Pipeline(const SiteSet& sites, const SiteGeometry& geometry, const Options& options, Monitor& monitor,
+           Report& report);
 
   /// Closed manifold of sites, or empty.
   GuidingSurface run();
@@ -40,7 +41,7 @@ class Pipeline {
   GuidingSurface evolve(GuidingSurface film, const std::vector<Vec3>& sites, int max_steps, bool weights);
   std::vector<Vec3> with_virtual_sites(const GuidingSurface& film) const;
   Candidate finish(GuidingSurface film);
-  Candidate cut(const std::vector<double>& belief, double conviction);
+  Candidate cut(const std::vector<double>& belief, double conviction, bool open = false);
   std::vector<double> carve_belief(double limit, double slope) const;
   std::vector<double> winding_belief(const GuidingSurface& film) const;
   std::vector<double> film_belief(const GuidingSurface& film) const;
@@ -49,12 +50,12 @@ class Pipeline {
   void rounds(Candidate& best);
 
   const SiteSet& sites_;
+  const SiteGeometry& geometry_;
   const Options& options_;
   Monitor& monitor_;
   Report& report_;
   PowerDiagram voronoi_;
   TetrahedralMesh mesh_;
-  SiteGeometry geometry_;
   FacetEvidence evidence_;
 };
 

@@ -10,7 +10,9 @@
 #include <numeric>
 
 #include "monitor.h"
+#include "open_surface.h"
 #include "orientation.h"
+#include "outliers.h"
 #include "pipeline.h"
 #include "site_set.h"
 #include "triangle_adjacency.h"
@@ -23,27 +25,7 @@ void fail(Result& result, Status status, std::string message) {
   result.message = std::move(message);
   result.vertices.clear();
   result.triangles.clear();
-}
-
-// Flatter than this share of the box is flat: what a turned plane has left after rounding to float.
-constexpr double kFlat = 3e-7;
-
-// Do all sites lie on one plane, line or point?
-bool coplanar(const std::vector<Vec3>& p) {
-  auto farthest = [&](auto&& distance) {
-    std::size_t best = 0;
-    for (std::size_t i = 0; i < p.size(); ++i)
-      if (distance(p[i]) > distance(p[best])) best = i;
-    return best;
-  };
-  const Vec3 a = p[0];
-  const Vec3 b = p[farthest([&](const Vec3& x) { return (x - a).squaredNorm(); })];
-  const Vec3 u = (b - a).normalized();
-  auto off_line = [&](const Vec3& x) { return Vec3(x - a - u.dot(x - a) * u); };
-  const Vec3 v = off_line(p[farthest([&](const Vec3& x) { return off_line(x).squaredNorm(); })]);
-  if (v.norm() < kFlat) return true;
-  const Vec3 n = u.cross(v.normalized());
-  return std::all_of(p.begin(), p.end(), [&](const Vec3& x) { return std::abs(n.dot(x - a)) < kFlat; });
+  result.gaps.clear();
 }
 
 // Empty if the options are fine.
@@ -70,7 +52,8 @@ Status check_given_surface(const Options& o) {
 }
 
 // Sites to input ids in rising order; triangles turned to their least corner and sorted.
-void write_result(const GuidingSurface& film, const SiteSet& sites, Result& result) {
+void write_result(const GuidingSurface& film, const std::vector<float>& gaps, const SiteSet& sites,
+                  Result& result) {
   std::vector<Index> order(film.site.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
@@ -80,12 +63,31 @@ void write_result(const GuidingSurface& film, const SiteSet& sites, Result& resu
     vertex[order[k]] = static_cast<Index>(k);
     result.vertices.push_back(sites.input[film.site[order[k]]]);
   }
-  for (Corners t : film.triangles) {
-    for (Index& v : t) v = vertex[v];
-    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-    result.triangles.push_back(t);
+  std::vector<std::pair<Triangle, float>> faces;
+  faces.reserve(film.triangles.size());
+  for (std::size_t t = 0; t < film.triangles.size(); ++t) {
+    Corners c = film.triangles[t];
+    for (Index& v : c) v = vertex[v];
+    std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+    faces.emplace_back(c, gaps[t]);
   }
-  std::sort(result.triangles.begin(), result.triangles.end());
+  std::sort(faces.begin(), faces.end());
+  for (const auto& [triangle, gap] : faces) result.triangles.push_back(triangle), result.gaps.push_back(gap);
+}
+
+// The number of closed loops of edges with one face. Of a manifold, which has one loop end at a vertex.
+std::int64_t boundary_loops(const std::vector<Index>& twin) {
+  std::vector<char> seen(twin.size(), 0);
+  std::int64_t loops = 0;
+  for (Index h = 0; h < static_cast<Index>(twin.size()); ++h) {
+    if (twin[h] != kNone || seen[h]) continue;
+    ++loops;
+    for (Index g = h; !seen[g];) {
+      seen[g] = 1;
+      for (g = next_in_face(g); twin[g] != kNone;) g = next_in_face(twin[g]);
+    }
+  }
+  return loops;
 }
 
 void describe_result(Result& result) {
@@ -93,14 +95,18 @@ void describe_result(Result& result) {
   const Index vertices = static_cast<Index>(result.vertices.size());
   const ManifoldCheck check = check_manifold(result.triangles, vertices);
   report.closed = check.closed;
-  report.manifold = check.ok();
+  report.manifold = check.manifold();
+  report.boundary_edges = check.boundary_edges;
   report.interpolated = vertices;
   report.triangles = static_cast<std::int64_t>(result.triangles.size());
-  if (!check.ok()) return;
+  if (!report.manifold) return;
   std::vector<Index> component;
-  report.components = connected_components(half_edge_twins(result.triangles, vertices), component);
-  const std::int64_t euler = vertices - report.triangles / 2;
-  report.genus = report.components - euler / 2;
+  const std::vector<Index> twin = half_edge_twins(result.triangles, vertices);
+  report.components = connected_components(twin, component);
+  report.boundary_loops = boundary_loops(twin);
+  const std::int64_t edges = (3 * report.triangles + report.boundary_edges) / 2;
+  const std::int64_t euler = vertices - edges + report.triangles;
+  report.genus = (2 * report.components - euler - report.boundary_loops) / 2;
 }
 
 void run(const std::vector<Point>& points, const Options& options, const Execution& execution,
@@ -114,7 +120,7 @@ void run(const std::vector<Point>& points, const Options& options, const Executi
 
   Monitor monitor(execution, report);
   monitor.enter("sites", 0);
-  const SiteSet sites = make_site_set(points);
+  SiteSet sites = make_site_set(points);
   report.sites = static_cast<std::int64_t>(sites.size());
   report.non_finite = sites.non_finite;
   report.duplicates = sites.duplicates;
@@ -122,15 +128,20 @@ void run(const std::vector<Point>& points, const Options& options, const Executi
     return fail(result, Status::TooFewPoints,
                 "a closed surface needs at least four distinct finite points, here are " +
                     std::to_string(sites.size()));
-  if (coplanar(sites.positions)) return fail(result, Status::Coplanar, describe(Status::Coplanar));
+  if (sites.coplanar()) return fail(result, Status::Coplanar, describe(Status::Coplanar));
 
-  GuidingSurface film = Pipeline(sites, options, monitor, report).run();
+  monitor.enter("outliers", 0.01);
+  SiteGeometry geometry = site_geometry(sites.perturbed);
+  if (!options.keep_outliers) report.outliers = drop_outliers(sites, geometry);
+
+  GuidingSurface film = Pipeline(sites, geometry, options, monitor, report).run();
   if (film.triangles.empty()) return fail(result, Status::NoSurface, describe(Status::NoSurface));
   monitor.enter("result", 0.97);
-  orient_components(film);
-  write_result(film, sites, result);
+  if (!options.open_boundary) orient_components(film);
+  write_result(film, face_gaps(film, geometry), sites, result);
   describe_result(result);
-  if (!report.manifold) return fail(result, Status::InternalError, "the result is not a closed manifold");
+  if (!report.manifold || !(report.closed || options.open_boundary))
+    return fail(result, Status::InternalError, "the result is not a closed manifold");
   monitor.progress(1);
   result.status = Status::Ok;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "site_set.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -8,6 +9,9 @@
 
 namespace filmsticking {
 namespace {
+
+// Flatter than this share of the box is flat: what a turned plane has left after rounding to float.
+constexpr double kFlat = 3e-7;
 
 std::uint64_t mix(std::uint64_t x) {
   x ^= x >> 33;
@@ -105,6 +109,24 @@ SiteSet make_site_set(const std::vector<Point>& points) {
     set.perturbed.push_back(p + shift);
   }
   return set;
+}
+
+bool SiteSet::coplanar() const {
+  const std::vector<Vec3>& p = positions;
+  auto farthest = [&](auto&& distance) {
+    std::size_t best = 0;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      if (distance(p[i]) > distance(p[best])) best = i;
+    return best;
+  };
+  const Vec3 a = p[0];
+  const Vec3 b = p[farthest([&](const Vec3& x) { return (x - a).squaredNorm(); })];
+  const Vec3 u = (b - a).normalized();
+  auto off_line = [&](const Vec3& x) { return Vec3(x - a - u.dot(x - a) * u); };
+  const Vec3 v = off_line(p[farthest([&](const Vec3& x) { return off_line(x).squaredNorm(); })]);
+  if (v.norm() < kFlat) return true;
+  const Vec3 n = u.cross(v.normalized());
+  return std::all_of(p.begin(), p.end(), [&](const Vec3& x) { return std::abs(n.dot(x - a)) < kFlat; });
 }
 
 }  // namespace filmsticking

@@ -20,6 +20,7 @@ struct SiteSet {
   double side = 1;             ///< longest side of the input's box, in the caller's unit; > 0
 
   std::size_t size() const { return positions.size(); }
+  bool coplanar() const;  ///< do all sites lie on one plane, line or point, but for rounding to float?
   Vec3 to_unit(const Point& p) const { return (Vec3(p[0], p[1], p[2]) - centre) / side; }
   Point to_input(const Vec3& p) const {
     const Vec3 q = p * side + centre;

@@ -47,7 +47,7 @@ ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) check.indices_valid = false;
   }
   if (!check.indices_valid || triangles.empty()) {
-    check.closed = check.oriented = check.single_rings = false;
+    check.edges_simple = check.closed = check.oriented = check.single_rings = false;
     return check;
   }
   // Undirected edges, sorted: each must appear once in each direction.
@@ -68,13 +68,16 @@ ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t j = i;
     while (j < edges.size() && edges[j].a == edges[i].a && edges[j].b == edges[i].b) ++j;
-    if (j - i != 2)
-      check.closed = false;
+    if (j - i == 1)
+      ++check.boundary_edges;
+    else if (j - i > 2)
+      check.edges_simple = false;
     else if (edges[i].forward == edges[i + 1].forward)
       check.oriented = false;
     i = j;
   }
-  if (!check.closed || !check.oriented) {
+  check.closed = check.edges_simple && check.boundary_edges == 0;
+  if (!check.edges_simple || !check.oriented) {
     check.single_rings = false;
     return check;
   }
@@ -85,11 +88,13 @@ ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex
   for (Index h = 0; h < static_cast<Index>(twin.size()); ++h) {
     const Index v = triangles[h / 3][h % 3];
     if (ring[v] != 0) continue;
-    Index g = h;
+    Index first = h;  // where the fan starts, if it is no ring
+    while (twin[first] != kNone && next_in_face(twin[first]) != h) first = next_in_face(twin[first]);
+    Index g = first;
     do {
       ++ring[v];
       g = twin[prev_in_face(g)];
-    } while (g != h);
+    } while (g != kNone && g != first);
     if (ring[v] != degree[v]) check.single_rings = false;
   }
   return check;
@@ -107,6 +112,7 @@ Index connected_components(const std::vector<Index>& twins, std::vector<Index>& 
       const Index t = stack.back();
       stack.pop_back();
       for (Index k = 0; k < 3; ++k) {
+        if (twins[3 * t + k] == kNone) continue;
         const Index u = twins[3 * t + k] / 3;
         if (component[u] == kNone) component[u] = count, stack.push_back(u);
       }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "vec.h"
@@ -14,10 +15,14 @@ inline Index prev_in_face(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
 /// What is wrong with a triangle list, if anything.
 struct ManifoldCheck {
   bool indices_valid = true;  ///< corners in range and distinct
-  bool closed = true;         ///< every edge has exactly two faces
+  bool edges_simple = true;   ///< no edge has more than two faces
+  bool closed = true;         ///< every edge has exactly two
   bool oriented = true;       ///< which run along it in opposite directions
-  bool single_rings = true;   ///< the faces around every vertex form one ring
-  bool ok() const { return indices_valid && closed && oriented && single_rings; }
+  bool single_rings = true;   ///< the faces around every vertex form one ring, or one fan at the boundary
+  std::int64_t boundary_edges = 0;  ///< edges with one face
+
+  bool manifold() const { return indices_valid && edges_simple && oriented && single_rings; }
+  bool ok() const { return manifold() && closed; }  ///< a closed manifold
 };
 
 /// twin[h]: the half-edge that runs back along h, or kNone where there is not exactly one.
@@ -26,7 +31,7 @@ std::vector<Index> half_edge_twins(const std::vector<Corners>& triangles, Index 
 /// Vertices without a face are allowed; a list without faces is not closed.
 ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex_count);
 
-/// Connected components of a closed manifold: component[t] for every triangle, and their number.
+/// Connected components of a manifold: component[t] for every triangle, and their number.
 Index connected_components(const std::vector<Index>& twins, std::vector<Index>& component);
 
 }  // namespace filmsticking

@@ -608,6 +608,8 @@ TEST(FilmstickingPP, OptionsAreKept) {
   filmsticking.setVirtualSites(123);
   filmsticking.setUseWeights(false);
   filmsticking.setInsertLeftover(false);
+  filmsticking.setOutputBoundary(true);
+  filmsticking.setKeepOutliers(true);
   filmsticking.setMaxSteps(7);
   filmsticking.setMaxRounds(3);
   filmsticking.setNumberOfThreads(1);
@@ -618,6 +620,8 @@ TEST(FilmstickingPP, OptionsAreKept) {
   EXPECT_EQ(options.virtual_sites, 123);
   EXPECT_FALSE(options.weights);
   EXPECT_FALSE(options.insert_leftover);
+  EXPECT_TRUE(options.open_boundary);
+  EXPECT_TRUE(options.keep_outliers);
   EXPECT_EQ(options.max_steps, 7);
   EXPECT_EQ(options.max_rounds, 3);
   EXPECT_EQ(options.threads, 1);
@@ -629,9 +633,30 @@ TEST(FilmstickingPP, OptionsAreKept) {
   EXPECT_EQ(other.getVirtualSites(), 123);
   EXPECT_FALSE(other.getUseWeights());
   EXPECT_FALSE(other.getInsertLeftover());
+  EXPECT_TRUE(other.getOutputBoundary());
+  EXPECT_TRUE(other.getKeepOutliers());
   EXPECT_EQ(other.getMaxSteps(), 7);
   EXPECT_EQ(other.getMaxRounds(), 3);
   EXPECT_EQ(other.getNumberOfThreads(), 1);
+}
+
+TEST(FilmstickingPP, OpensWhereThereAreNoPoints) {
+  pcl::PointCloud<PointXYZ>::Ptr half(new pcl::PointCloud<PointXYZ>);
+  for (const PointXYZ& p : *make_sphere<PointXYZ>(2000))
+    if (p.z > 0) half->push_back(p);
+  Class filmsticking;
+  filmsticking.setInputCloud(half);
+  pcl::PolygonMesh closed, open;
+  filmsticking.reconstruct(closed);
+  ASSERT_EQ(filmsticking.getFaceGaps().size(), closed.polygons.size());
+  EXPECT_TRUE(filmsticking.getReport().closed);
+  filmsticking.setOutputBoundary(true);
+  filmsticking.reconstruct(open);
+  ASSERT_EQ(filmsticking.getFaceGaps().size(), open.polygons.size());
+  EXPECT_FALSE(filmsticking.getReport().closed);
+  EXPECT_TRUE(filmsticking.getReport().manifold);
+  EXPECT_EQ(filmsticking.getReport().boundary_loops, 1);
+  EXPECT_LT(open.polygons.size(), closed.polygons.size());
 }
 
 TEST(FilmstickingPP, StartsFromAGivenSurface) {

@@ -31,8 +31,9 @@ inline double signed_volume(const Mesh& mesh) {
   return sum;
 }
 
-/// Empty for a closed, consistently oriented 2-manifold that uses every vertex; else what is wrong.
-inline std::string surface_fault(const Mesh& mesh) {
+/// Empty for a consistently oriented 2-manifold that uses every vertex, closed unless it may be `open`; else
+/// what is wrong.
+inline std::string surface_fault(const Mesh& mesh, bool open = false) {
   if (mesh.triangles.empty()) return "no triangles";
   std::map<std::pair<int, int>, int> apex;                      // directed edge -> the face's third corner
   std::vector<std::map<int, int>> ring(mesh.positions.size());  // corner -> next corner around a vertex
@@ -46,16 +47,21 @@ inline std::string surface_fault(const Mesh& mesh) {
     }
   }
   for (const auto& [edge, corner] : apex)
-    if (!apex.count({edge.second, edge.first})) return "an edge has one face only";
+    if (!open && !apex.count({edge.second, edge.first})) return "an edge has one face only";
   for (const auto& next : ring) {
     if (next.empty()) return "a vertex without faces";
     std::size_t length = 0;
-    int corner = next.begin()->first;
+    int first = next.begin()->first;
+    std::set<int> into;  // a fan starts where nothing leads to
+    for (const auto& [from, to] : next) into.insert(to);
+    for (const auto& [from, to] : next)
+      if (!into.count(from)) first = from;
+    int corner = first;
     do {
       corner = next.at(corner);
       ++length;
-    } while (corner != next.begin()->first && length <= next.size());
-    if (length != next.size()) return "the faces around a vertex are not one ring";
+    } while (corner != first && next.count(corner) && length <= next.size());
+    if (length != next.size()) return "the faces around a vertex are not one ring or fan";
   }
   if (std::set<Point>(mesh.positions.begin(), mesh.positions.end()).size() != mesh.positions.size())
     return "two vertices at one place";

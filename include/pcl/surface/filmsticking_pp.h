@@ -22,8 +22,8 @@ namespace pcl {
  *
  * Every vertex of the result is a point of the input, copied with all its fields; getVertexIndices() says
  * which. The surface is closed, 2-manifold and wound counter-clockwise seen from outside. Points with a
- * coordinate that is not finite and repeated points are left out. Normals are copied like any other field
- * and not read. No parameter has to be set:
+ * coordinate that is not finite, repeated points and outliers (setKeepOutliers()) are left out. Normals are
+ * copied like any other field and not read. No parameter has to be set:
  *
  * \code
  * pcl::FilmstickingPP<pcl::PointXYZ> filmsticking;
@@ -179,6 +179,29 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   /** \brief Get whether the sites that the film does not reach are put into its nearest face. */
   bool getInsertLeftover() const { return options_.insert_leftover; }
 
+  /** \brief Set whether the faces that no data supports are left out: of a scan
+   * from one side the visible surface is left, a manifold with boundary. A cloud from all sides stays closed.
+   * Off by default. See getFaceGaps().
+   */
+  void setOutputBoundary(bool output_boundary) { options_.open_boundary = output_boundary; }
+
+  /** \brief Get whether the faces that no data supports are left out. */
+  bool getOutputBoundary() const { return options_.open_boundary; }
+
+  /** \brief Set whether outliers, points far from all others, are brought on to the surface, too. Off by
+   * default; Report::outliers tells how many were left off.
+   */
+  void setKeepOutliers(bool keep_outliers) { options_.keep_outliers = keep_outliers; }
+
+  /** \brief Get whether outliers are brought on to the surface. */
+  bool getKeepOutliers() const { return options_.keep_outliers; }
+
+  /** \brief The gap that each output triangle bridges: the diameter of the smallest circle around it, in
+   * spacings of the points there. About 1.5 where the points are dense enough for their surface; large where
+   * the surface was closed without data. Empty on failure.
+   */
+  const std::vector<float>& getFaceGaps() const { return face_gaps_; }
+
   /** \brief Set the number of film steps allowed before the first field. */
   void setMaxSteps(int max_steps) { options_.max_steps = max_steps; }
 
@@ -276,6 +299,7 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   std::string status_message_;
   Report report_;
   pcl::Indices vertex_indices_;
+  std::vector<float> face_gaps_;
 };
 
 }  // namespace pcl

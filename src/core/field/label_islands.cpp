@@ -62,7 +62,8 @@ std::int64_t drop_islands(const TetrahedralMesh& mesh, const SiteGeometry& geome
     const Index piece = pieces.of[t];
     for (int k = 0; k < 4; ++k)
       if (pieces.parent[piece] != kNone && pieces.of[mesh.tets.neighbours[t][k]] == pieces.parent[piece])
-        for (int j : kFacet[k]) owner[mesh.tets.corners[t][j]] = piece;
+        for (int j : kFacet[k])
+          if (const Index v = mesh.tets.corners[t][j]; v != kNone) owner[v] = piece;
   }
   std::vector<std::int64_t> own(pieces.size(), 0), foreign(pieces.size(), 0);
   for (std::size_t v = 0; v < owner.size(); ++v) {

@@ -32,6 +32,7 @@ ManifoldLabels::ManifoldLabels(const TetrahedralMesh& mesh, const SiteGeometry& 
       inside_(inside),
       seed_(geometry.near.size(), kNone),
       census_(geometry.near.size()),
+      exempt_(geometry.near.size(), 0),
       seen_(mesh.size(), 0) {
   for (std::size_t t = 0; t < mesh.size(); ++t)
     for (Index v : mesh.tets.corners[t])
@@ -84,7 +85,7 @@ std::vector<Index> ManifoldLabels::take_census() {
   for (std::size_t v = 0; v < seed_.size(); ++v) {
     if (seed_[v] == kNone) continue;
     census_[v] = census(static_cast<Index>(v));
-    if (census_[v].surplus() > 0) singular.push_back(static_cast<Index>(v));
+    if (this->singular(static_cast<Index>(v))) singular.push_back(static_cast<Index>(v));
   }
   return singular;
 }
@@ -143,7 +144,7 @@ void ManifoldLabels::apply(const Move& move, std::vector<Index>& singular) {
   unique_sorted(touched_);
   for (Index v : touched_) {
     census_[v] = census(v);
-    if (census_[v].surplus() > 0) singular.push_back(v);
+    if (this->singular(v)) singular.push_back(v);
   }
 }
 
@@ -232,7 +233,7 @@ void ManifoldLabels::lower(std::vector<Index> singular, bool erode) {
     unique_sorted(singular);
     next.clear();
     for (Index v : singular) {
-      if (census_[v].surplus() == 0) continue;
+      if (!this->singular(v)) continue;
       const Move move = best_move(v, erode);
       if (move.empty()) {
         stuck_.push_back(v);
@@ -245,7 +246,8 @@ void ManifoldLabels::lower(std::vector<Index> singular, bool erode) {
   }
 }
 
-void ManifoldLabels::repair() {
+void ManifoldLabels::repair(std::vector<char> exempt) {
+  if (!exempt.empty()) exempt_ = std::move(exempt);
   counts_.islands += drop_islands(mesh_, geometry_, inside_);
   std::vector<Index> singular = take_census();
   counts_.singular = static_cast<std::int64_t>(singular.size());

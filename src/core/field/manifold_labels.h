@@ -43,8 +43,9 @@ class ManifoldLabels {
   ManifoldLabels(const TetrahedralMesh& mesh, const SiteGeometry& geometry, const LabelCosts& costs,
                  std::vector<char>& inside);
 
-  /// Makes the surface a manifold. The others need that it is one.
-  void repair();
+  /// Makes the surface a manifold, but for sites marked `exempt`. The others need that it is one, or leave it
+  /// as it is.
+  void repair(std::vector<char> exempt = {});
 
   /// Goes towards the labels `aim` as far as it can without a change of topology: each step relabels one
   /// tetrahedron and leaves a manifold of the same Euler characteristic, as homotopic deformation does in
@@ -77,6 +78,7 @@ class ManifoldLabels {
   int corner(Index t, Index v) const;
   Census census(Index v);
   std::vector<Index> take_census();
+  bool singular(Index v) const { return census_[v].surplus() > 0 && !exempt_[v]; }
   bool allowed(const Move& move) const;
   bool grows(const Move& move) const;
   double flip_cost(Index t) const;
@@ -93,9 +95,10 @@ class ManifoldLabels {
   const LabelCosts& costs_;
   std::vector<char>& inside_;
   LabelCounts counts_;
-  double site_cost_ = 0;     // the mean of costs_.off
-  std::vector<Index> seed_;  // a tetrahedron at each site
+  double site_cost_ = 0;      // the mean of costs_.off
+  std::vector<Index> seed_;   // a tetrahedron at each site
   std::vector<Census> census_;
+  std::vector<char> exempt_;  // [site]: need not be repaired
   // Of the last census: the star, piece by piece, and where each piece starts in it, and the end.
   std::vector<Index> star_;
   std::vector<std::size_t> first_;

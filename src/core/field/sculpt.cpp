@@ -9,7 +9,7 @@
 namespace filmsticking {
 
 std::vector<char> sculpt(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
-                         const std::vector<double>& hold) {
+                         const std::vector<double>& hold, bool open) {
   CutGraph graph{mesh.mirror, {}, {}};
   graph.capacity.resize(mesh.size());
   graph.terminal.resize(mesh.size());
@@ -23,7 +23,7 @@ std::vector<char> sculpt(const TetrahedralMesh& mesh, const FacetEvidence& evide
   };
   std::vector<char> fallback(mesh.size());
   for (std::size_t t = 0; t < mesh.size(); ++t) {
-    const bool infinite = mesh.tets.infinite(static_cast<Index>(t));
+    const bool infinite = !open && mesh.tets.infinite(static_cast<Index>(t));
     for (int k = 0; k < 4; ++k) graph.capacity[t][k] = price(evidence.cost[t][k]);
     const std::int64_t held = price(std::abs(hold[t]));
     graph.terminal[t] = infinite ? -(std::int64_t(1) << 50) : hold[t] > 0 ? held : -held;
@@ -31,7 +31,7 @@ std::vector<char> sculpt(const TetrahedralMesh& mesh, const FacetEvidence& evide
   }
   std::vector<char> inside = minimum_cut(graph, fallback);
   for (std::size_t t = 0; t < mesh.size(); ++t)
-    if (mesh.tets.infinite(static_cast<Index>(t))) inside[t] = 0;
+    if (!open && mesh.tets.infinite(static_cast<Index>(t))) inside[t] = 0;
   return inside;
 }
 

@@ -15,6 +15,8 @@ SiteGeometry site_geometry(const std::vector<Vec3>& sites, std::size_t k) {
   geometry.spacing.assign(sites.size(), 0);
   geometry.normal.assign(sites.size(), Vec3::UnitZ());
   geometry.near.resize(sites.size());
+  geometry.variation.assign(sites.size(), 0);
+  geometry.offset.assign(sites.size(), 0);
   const PointTree tree(sites);
   parallel_each(sites.size(), [&](std::size_t i) {
     const std::vector<Index> near = tree.nearest(sites[i], k + 1);  // with the site itself
@@ -29,10 +31,27 @@ SiteGeometry site_geometry(const std::vector<Vec3>& sites, std::size_t k) {
     for (Index j : near) covariance += (sites[j] - mean) * (sites[j] - mean).transpose();
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     solver.computeDirect(covariance / std::max(radius * radius, 1e-300));
+    // Of the others alone: they are n of the n + 1 points around this mean.
+    const double n = static_cast<double>(near.size()) - 1, shift2 = (sites[i] - mean).squaredNorm();
+    const double spread2 = covariance.trace() - shift2 * (n + 1) / n;
+    if (spread2 > 0) geometry.offset[i] = (n + 1) / n * std::sqrt(shift2 * n / spread2);
+    const double variance = solver.eigenvalues().sum();
+    if (variance > 0) geometry.variation[i] = solver.eigenvalues()[0] / variance;
     const Vec3 normal = solver.eigenvectors().col(0);
     if (normal.allFinite() && normal.squaredNorm() > 0.5) geometry.normal[i] = normal;
   });
   return geometry;
+}
+
+double near_spacing(const SiteGeometry& geometry, Index site) {
+  std::array<double, 6> spacing;
+  std::size_t count = 0;
+  for (Index other : geometry.near[site])
+    if (other != kNone) spacing[count++] = geometry.spacing[other];
+  if (count == 0) return geometry.spacing[site];
+  const auto middle = spacing.begin() + count / 2;
+  std::nth_element(spacing.begin(), middle, spacing.begin() + count);
+  return *middle;
 }
 
 }  // namespace filmsticking

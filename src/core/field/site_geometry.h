@@ -13,9 +13,14 @@ struct SiteGeometry {
       spacing;  ///< sqrt(pi r^2 / k) with r the distance to the k-th neighbour: what one sample covers
   std::vector<std::array<Index, 6>> near;  ///< the nearest sites, nearest first; kNone where there are fewer
   std::vector<Vec3> normal;  ///< unit normal of the plane fitted to the neighbours; its sign says nothing
+  std::vector<double> variation;  ///< of the neighbours off that plane: a share of their variance, 0 to 1/3
+  std::vector<double> offset;     ///< from the neighbours' mean, in their own distance from it (rms)
 };
 
 /// From the `k` nearest sites of each.
 SiteGeometry site_geometry(const std::vector<Vec3>& sites, std::size_t k = 12);
+
+/// The median of the spacings of a site's neighbours: unlike its own, small for a lone site near a surface.
+double near_spacing(const SiteGeometry& geometry, Index site);
 
 }  // namespace filmsticking

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tetrahedral_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -69,8 +70,9 @@ std::vector<Corners> tetrahedral_boundary(const TetrahedralMesh& mesh, const std
     if (!inside[t]) continue;
     const auto& c = mesh.tets.corners[t];
     for (int k = 0; k < 4; ++k)
-      if (!inside[mesh.tets.neighbours[t][k]])
-        boundary.push_back({c[kFacet[k][0]], c[kFacet[k][1]], c[kFacet[k][2]]});
+      if (const Corners f{c[kFacet[k][0]], c[kFacet[k][1]], c[kFacet[k][2]]};
+          !inside[mesh.tets.neighbours[t][k]] && std::count(f.begin(), f.end(), kNone) == 0)
+        boundary.push_back(f);
   }
   return boundary;
 }

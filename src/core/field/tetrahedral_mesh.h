@@ -23,7 +23,8 @@ struct TetrahedralMesh {
 
 TetrahedralMesh make_tetrahedral_mesh(Tetrahedra tets, const std::vector<Vec3>& sites);
 
-/// The facets between the tetrahedra marked inside and the others, counter-clockwise from outside.
+/// The facets between the tetrahedra marked inside and the others, counter-clockwise from outside; those at
+/// infinity are left out.
 std::vector<Corners> tetrahedral_boundary(const TetrahedralMesh& mesh, const std::vector<char>& inside);
 
 }  // namespace filmsticking

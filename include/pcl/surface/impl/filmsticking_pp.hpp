@@ -143,6 +143,7 @@ void pcl::FilmstickingPP<PointInT>::performReconstruction(pcl::PointCloud<PointI
     vertex_indices_.push_back((*indices_)[position]);
     points.push_back((*input_)[vertex_indices_.back()]);
   }
+  face_gaps_ = std::move(result.gaps);
   polygons.resize(result.triangles.size());
   for (std::size_t t = 0; t < polygons.size(); ++t)
     polygons[t].vertices.assign(result.triangles[t].begin(), result.triangles[t].end());
@@ -169,6 +170,7 @@ void pcl::FilmstickingPP<PointInT>::guarded(Compute compute) noexcept {
   status_message_.clear();
   report_ = Report();
   vertex_indices_.clear();
+  face_gaps_.clear();
   try {
     if (checkInput()) {
       compute();
@@ -181,7 +183,9 @@ void pcl::FilmstickingPP<PointInT>::guarded(Compute compute) noexcept {
   } catch (...) {
     fail(Status::InternalError, filmsticking::describe(Status::InternalError));
   }
-  if (status_ != Status::Ok) vertex_indices_.clear();
+  if (status_ == Status::Ok) return;
+  vertex_indices_.clear();
+  face_gaps_.clear();
 }
 
 template <typename PointInT>

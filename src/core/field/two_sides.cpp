@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "two_sides.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <utility>
+
+#include "parallel.h"
+
+namespace filmsticking {
+namespace {
+
+// What a facet says of its two sides, by votes: 1 the same, -1 opposite.
+constexpr double kCoupling[4] = {1.0, 0.3, -0.3, -1.0};
+
+// Facets with edges longer than this, in spacings, say less: by the fourth power, so that the rim of an open
+// surface, which wide facets go around from one side to the other, does not count against the surface.
+constexpr double kNear = 2;
+
+/// Clusters of tetrahedra, each with a sign relative to its root.
+class SignedClusters {
+ public:
+  explicit SignedClusters(std::size_t n) : parent_(n), sign_(n, 1), size_(n, 1) {
+    for (std::size_t i = 0; i < n; ++i) parent_[i] = static_cast<Index>(i);
+  }
+
+  /// The root of i's cluster, and i's sign in it.
+  std::pair<Index, int> find(Index i) {
+    Index root = i;
+    int sign = 1;
+    for (; parent_[root] != root; root = parent_[root]) sign *= sign_[root];
+    for (int rest = sign; parent_[i] != i;) {  // the path points at the root from now on
+      const Index next = parent_[i];
+      const int own = sign_[i];
+      parent_[i] = root, sign_[i] = static_cast<signed char>(rest);
+      rest *= own, i = next;
+    }
+    return {root, sign};
+  }
+
+  /// Joins two roots, `a` stays one. `sign`: that of b in a's cluster.
+  void join(Index a, Index b, int sign) {
+    parent_[b] = a, sign_[b] = static_cast<signed char>(sign), size_[a] += size_[b];
+  }
+
+ private:
+  std::vector<Index> parent_;
+  std::vector<signed char> sign_;
+  std::vector<Index> size_;
+};
+
+/// The contraction. An edge is a facet, named 4 t + k from its lesser side.
+class Contraction {
+ public:
+  Contraction(const TetrahedralMesh& mesh, std::vector<double> weight)
+      : mesh_(mesh), weight_(std::move(weight)), clusters_(mesh.size()), edges_(mesh.size()) {
+    std::vector<std::pair<double, Index>> all;
+    for (std::size_t e = 0; e < weight_.size(); ++e)
+      if (weight_[e] != 0) all.emplace_back(std::abs(weight_[e]), -static_cast<Index>(e));
+    strongest_ = decltype(strongest_)(std::less<std::pair<double, Index>>(), std::move(all));
+  }
+
+  /// Ends: every contraction leaves one cluster less, and every entry is taken once.
+  SignedClusters run() {
+    while (!strongest_.empty()) {
+      const auto [strength, minus_e] = strongest_.top();
+      strongest_.pop();
+      if (std::abs(weight_[-minus_e]) == strength) contract(-minus_e);
+    }
+    return std::move(clusters_);
+  }
+
+ private:
+  std::pair<Index, Index> ends(Index e) const { return {e / 4, mesh_.tets.neighbours[e / 4][e % 4]}; }
+
+  // The edges of a cluster; of one tetrahedron, its facets.
+  std::vector<Index>& edges(Index root) {
+    std::vector<Index>& list = edges_[root];
+    if (list.empty())
+      for (int k = 0; k < 4; ++k) {
+        const Index e = std::min(4 * root + k, mesh_.mirror[root][k]);
+        if (weight_[e] != 0) list.push_back(e);
+      }
+    return list;
+  }
+
+  // The edge between two clusters, or kNone.
+  Index between(Index a, Index c) {
+    std::vector<Index>* list = &edges(a);
+    if (edges(c).size() < list->size()) list = &edges(c), std::swap(a, c);
+    Index found = kNone;
+    std::size_t kept = 0;
+    for (Index e : *list) {
+      if (weight_[e] == 0) continue;
+      (*list)[kept++] = e;
+      const auto [t, u] = ends(e);
+      const Index x = clusters_.find(t).first, y = clusters_.find(u).first;
+      if ((x == a && y == c) || (x == c && y == a)) found = e;
+    }
+    list->resize(kept);
+    return found;
+  }
+
+  void contract(Index e) {
+    const auto [t, u] = ends(e);
+    auto [a, sign_t] = clusters_.find(t);
+    auto [b, sign_u] = clusters_.find(u);
+    const int sign = (weight_[e] > 0 ? 1 : -1) * sign_t * sign_u;
+    weight_[e] = 0;
+    if (edges(a).size() < edges(b).size()) std::swap(a, b);
+    // Edges from both to a third become one; the others of b become a's.
+    std::vector<Index> moved;
+    for (Index f : edges(b)) {
+      if (weight_[f] == 0) continue;
+      const auto [x, y] = ends(f);
+      const auto [root_x, sign_x] = clusters_.find(x);
+      const auto [root_y, sign_y] = clusters_.find(y);
+      const Index third = root_x == b ? root_y : root_x;
+      const Index g = between(a, third);
+      if (g == kNone) {
+        moved.push_back(f);
+        continue;
+      }
+      const auto [p, q] = ends(g);
+      const int signs = sign_x * sign_y * sign * clusters_.find(p).second * clusters_.find(q).second;
+      weight_[g] += signs * weight_[f];
+      weight_[f] = 0;
+      if (weight_[g] != 0) strongest_.emplace(std::abs(weight_[g]), -g);
+    }
+    clusters_.join(a, b, sign);
+    edges_[a].insert(edges_[a].end(), moved.begin(), moved.end());
+    std::vector<Index>().swap(edges_[b]);
+  }
+
+  const TetrahedralMesh& mesh_;
+  std::vector<double> weight_;  // of an edge; 0: gone
+  SignedClusters clusters_;
+  std::vector<std::vector<Index>> edges_;
+  std::priority_queue<std::pair<double, Index>> strongest_;
+};
+
+}  // namespace
+
+std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
+                              const FacetEvidence& evidence, const SiteGeometry& geometry) {
+  std::vector<double> weight(4 * mesh.size(), 0);
+  parallel_each(mesh.size(), [&](std::size_t t) {
+    for (int k = 0; k < 4; ++k) {
+      if (mesh.mirror[t][k] < static_cast<Index>(4 * t) + k || !(evidence.area[t][k] > 0)) continue;
+      const auto& c = mesh.tets.corners[t];
+      const Index i = c[kFacet[k][0]], j = c[kFacet[k][1]], l = c[kFacet[k][2]];
+      const double spacing = std::max({geometry.spacing[i], geometry.spacing[j], geometry.spacing[l]});
+      const double edge2 = std::max({(sites[i] - sites[j]).squaredNorm(), (sites[j] - sites[l]).squaredNorm(),
+                                     (sites[l] - sites[i]).squaredNorm()});
+      const double sample = spacing * spacing, near = std::min(1.0, kNear * kNear * sample / edge2);
+      weight[4 * t + k] =
+          kCoupling[evidence.votes[t][k]] * std::min(evidence.area[t][k], sample) * near * near;
+    }
+  });
+  SignedClusters clusters = Contraction(mesh, std::move(weight)).run();
+
+  std::vector<double> hull(mesh.size(), 0);  // of a root: its area with its sign less that with the other
+  for (std::size_t t = 0; t < mesh.size(); ++t) {
+    if (!mesh.tets.infinite(static_cast<Index>(t))) continue;
+    const auto [root, sign] = clusters.find(static_cast<Index>(t));
+    for (double area : evidence.area[t]) hull[root] += sign * area;
+  }
+  std::vector<double> side(mesh.size());
+  for (std::size_t t = 0; t < mesh.size(); ++t) {
+    const auto [root, sign] = clusters.find(static_cast<Index>(t));
+    side[t] = hull[root] >= 0 ? -sign : sign;
+  }
+  return side;
+}
+
+}  // namespace filmsticking

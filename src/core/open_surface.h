@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "field/site_geometry.h"
+#include "guiding_surface.h"
+
+namespace filmsticking {
+
+/// The gap that each face of a film of sites bridges: the diameter of the smallest circle around the face, in
+/// spacings of its corner with the largest. Without unit; about 1.5 on an evenly sampled surface.
+std::vector<float> face_gaps(const GuidingSurface& film, const SiteGeometry& geometry);
+
+/// Where the surface of some labels, itself not a manifold yet, will be one once its bridges are gone: 1 for a
+/// site whose other faces form one ring or one fan. `triangles`: of sites.
+std::vector<char> manifold_without_bridges(const std::vector<Corners>& triangles,
+                                           const std::vector<Vec3>& sites, const SiteGeometry& geometry);
+
+/// Takes away the faces that no data supports: connected regions of faces with gaps above a low threshold
+/// that have one above a high one. Then, where a vertex has several fans left, all but that with most faces.
+/// So what is left of a closed manifold, or of one with boundary, is a manifold with boundary, perhaps empty;
+/// vertices without a face are gone. Ends: every pass but the last takes faces away.
+void remove_bridges(GuidingSurface& film, const SiteGeometry& geometry);
+
+}  // namespace filmsticking

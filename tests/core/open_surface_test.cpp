@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Open surfaces and outliers: what is promised of them, over generated and real clouds.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+
+#include "filmsticking/reconstruct.h"
+#include "support/clouds.h"
+#include "support/surface_check.h"
+
+namespace filmsticking {
+namespace {
+
+Result reconstruct_open(const std::vector<Point>& points) {
+  Options options;
+  options.open_boundary = true;
+  return reconstruct(points, options);
+}
+
+void expect_open_manifold(const Result& result, const std::vector<Point>& points) {
+  ASSERT_EQ(result.status, Status::Ok) << result.message;
+  Mesh mesh;
+  for (std::int32_t i : result.vertices) mesh.positions.push_back(points.at(i));
+  mesh.triangles = result.triangles;
+  EXPECT_EQ(test::surface_fault(mesh, true), "");
+  EXPECT_TRUE(result.report.manifold);
+  EXPECT_EQ(result.report.closed, result.report.boundary_edges == 0);
+  EXPECT_EQ(result.gaps.size(), result.triangles.size());
+}
+
+// The share of the faces that the component with most of them has.
+double largest_share(const Result& result) {
+  std::vector<std::size_t> root(result.vertices.size()), count(root.size(), 0);
+  for (std::size_t v = 0; v < root.size(); ++v) root[v] = v;
+  const auto find = [&](std::size_t v) {
+    while (root[v] != v) v = root[v] = root[root[v]];
+    return v;
+  };
+  for (const Triangle& t : result.triangles) root[find(t[1])] = find(t[0]), root[find(t[2])] = find(t[0]);
+  for (const Triangle& t : result.triangles) ++count[find(t[0])];
+  return static_cast<double>(*std::max_element(count.begin(), count.end())) /
+         static_cast<double>(result.triangles.size());
+}
+
+// A sheet over the square [0, 2]^2, turned so that no axis is special; its points as they come.
+std::vector<Point> sheet(int n, std::uint64_t seed, double wave) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> uniform(0, 2);
+  std::vector<Point> points;
+  for (int i = 0; i < n; ++i) {
+    const double u = uniform(random), v = uniform(random), w = wave * std::sin(3 * u) * std::cos(2 * v);
+    points.push_back({0.6 * u - 0.8 * w, v, 0.8 * u + 0.6 * w});
+  }
+  return points;
+}
+
+std::vector<Point> part_of_sphere(int n, std::uint64_t seed, double lowest) {
+  std::vector<Point> points;
+  for (const Point& p : test::sphere(n, seed))
+    if (p[2] > lowest) points.push_back(p);
+  return points;
+}
+
+TEST(OpenSurface, ASheetIsASheet) {
+  for (const double wave : {0.05, 0.2, 0.4})
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      SCOPED_TRACE(std::to_string(wave) + " " + std::to_string(seed));
+      const auto points = sheet(3000, seed, wave);
+      const Result result = reconstruct_open(points);
+      expect_open_manifold(result, points);
+      EXPECT_LE(result.report.components, 4);
+      EXPECT_GE(largest_share(result), 0.99);
+      EXPECT_LE(result.report.boundary_loops, 7);  // the rim, and a pinhole or two near it
+      EXPECT_EQ(result.report.genus, 0);
+      EXPECT_GE(static_cast<double>(result.report.interpolated), 0.995 * static_cast<double>(points.size()));
+    }
+}
+
+TEST(OpenSurface, APartOfASphereIsADisc) {
+  for (const double lowest : {-0.7, 0.0, 0.5, 0.8})
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      SCOPED_TRACE(std::to_string(lowest) + " " + std::to_string(seed));
+      const auto points = part_of_sphere(6000, seed, lowest);
+      const Result result = reconstruct_open(points);
+      expect_open_manifold(result, points);
+      EXPECT_EQ(result.report.components, 1);
+      EXPECT_EQ(result.report.boundary_loops, 1);
+      EXPECT_EQ(result.report.genus, 0);
+    }
+}
+
+TEST(OpenSurface, ClosedWithoutTheOption) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed)
+    for (const auto& points : {sheet(3000, seed, 0.3), part_of_sphere(4000, seed, 0.2)}) {
+      const Result result = reconstruct(points);
+      ASSERT_EQ(result.status, Status::Ok);
+      EXPECT_TRUE(result.report.closed && result.report.manifold);
+      EXPECT_LE(result.report.components, 3);  // a wavy sheet may be closed on both sides
+      EXPECT_GE(static_cast<double>(result.report.interpolated), 0.97 * static_cast<double>(points.size()));
+    }
+}
+
+TEST(OpenSurface, ClosedCloudsStayAsTheyAre) {
+  const std::map<std::string, std::vector<Point>> clouds = {
+      {"sphere", test::sphere(3000, 1)},
+      {"torus", test::torus(5000, 2)},
+      {"box", test::box(4000, 3, {1, 2, 1})},
+      {"spot", test::read_float_ply(TEST_DATA "/spot_10k.ply")}};
+  for (const auto& [name, points] : clouds) {
+    SCOPED_TRACE(name);
+    const Result closed = reconstruct(points), open = reconstruct_open(points);
+    EXPECT_TRUE(open.report.closed);
+    EXPECT_EQ(open.triangles, closed.triangles);
+    EXPECT_EQ(open.gaps, closed.gaps);
+  }
+}
+
+TEST(OpenSurface, ScansFromOneSide) {
+  for (const char* name : {"bun0.pcd", "bun4.pcd"}) {
+    SCOPED_TRACE(name);
+    const auto points = test::read_text_pcd(std::string(TEST_DATA "/") + name);
+    ASSERT_GT(points.size(), 300u);
+    const Result result = reconstruct_open(points);
+    expect_open_manifold(result, points);
+    EXPECT_FALSE(result.report.closed);
+    EXPECT_GE(largest_share(result), 0.9);
+    EXPECT_GE(static_cast<double>(result.report.interpolated), 0.95 * static_cast<double>(points.size()));
+  }
+}
+
+TEST(OpenSurface, GapsAreSmallOnASampledSurfaceAndLargeAcrossAHole) {
+  const Result full = reconstruct(test::sphere(4000, 7));
+  ASSERT_EQ(full.gaps.size(), full.triangles.size());
+  EXPECT_LT(*std::max_element(full.gaps.begin(), full.gaps.end()), 5);
+  EXPECT_GT(*std::min_element(full.gaps.begin(), full.gaps.end()), 0);
+  const Result part = reconstruct(part_of_sphere(4000, 7, -0.3));
+  EXPECT_GT(*std::max_element(part.gaps.begin(), part.gaps.end()), 8);
+}
+
+TEST(Outliers, NoneOnSurfacesSampledEvenly) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+    for (const auto& points : {test::sphere(3000, seed), test::torus(3000, seed),
+                               test::box(3000, seed, {1, 1, 0.1}), sheet(3000, seed, 0.3)})
+      EXPECT_EQ(reconstruct(points).report.outliers, 0);
+}
+
+TEST(Outliers, FarOnesAreLeftOffUnlessWanted) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(seed);
+    auto points = test::sphere(4000, seed);
+    const std::size_t clean = points.size();
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> uniform(-1.5, 1.5);
+    for (int i = 0; i < 200; ++i) points.push_back({uniform(random), uniform(random), uniform(random)});
+    const Result result = reconstruct(points);
+    ASSERT_EQ(result.status, Status::Ok);
+    EXPECT_GE(result.report.outliers, 100);
+    EXPECT_LE(result.report.outliers, 200);
+    EXPECT_EQ(result.report.components, 1);
+    EXPECT_EQ(result.report.genus, 0);
+    std::set<std::int32_t> on(result.vertices.begin(), result.vertices.end());
+    std::size_t sampled = 0;
+    for (std::size_t i = 0; i < clean; ++i) sampled += on.count(static_cast<std::int32_t>(i));
+    EXPECT_GE(static_cast<double>(sampled), 0.99 * static_cast<double>(clean));
+    const double spacing = std::sqrt(4 * M_PI / static_cast<double>(clean));
+    std::size_t far = 0, far_on = 0;
+    for (std::size_t i = clean; i < points.size(); ++i) {
+      const Point& p = points[i];
+      if (std::abs(std::hypot(p[0], p[1], p[2]) - 1) < 5 * spacing) continue;
+      ++far;
+      far_on += on.count(static_cast<std::int32_t>(i));
+    }
+    EXPECT_LE(6 * far_on, far);
+
+    Options all;
+    all.keep_outliers = true;
+    const Result kept = reconstruct(points, all);
+    EXPECT_EQ(kept.report.outliers, 0);
+    EXPECT_GT(kept.report.interpolated, result.report.interpolated);
+  }
+}
+
+TEST(Outliers, AreNotFoundWhereAllPointsAreScattered) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<Point> points;
+  for (int i = 0; i < 500; ++i) points.push_back({uniform(random), uniform(random), uniform(random)});
+  const Result result = reconstruct(points);
+  EXPECT_LE(result.report.outliers, 10);
+}
+
+}  // namespace
+}  // namespace filmsticking
