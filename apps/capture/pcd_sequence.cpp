@@ -6,8 +6,8 @@
 #include "capture_error.h"
 #include "frame_source.h"
 #include "io/files.h"
-#include "io/io_error.h"
 #include "io/pcd.h"
+#include "strict_pcd.h"
 
 namespace filmsticking::capture {
 namespace {
@@ -46,8 +46,10 @@ class PcdSequence : public FrameSource {
     const std::string file = files_[next_++];
     const std::string name = std::filesystem::path(file).filename().string();
     try {
-      io::decode_pcd(io::read_file(file));  // PCL's reader does not stand broken files
-    } catch (const io::IoError& error) {
+      const std::string bytes = io::read_file(file);
+      check_pcd(bytes);
+      io::decode_pcd(bytes);  // compressed data that are broken
+    } catch (const std::runtime_error& error) {
       throw CaptureError(name + ": " + error.what());
     }
     std::optional<Frame> frame = BlobGrabber(file).grab();
