@@ -7,8 +7,11 @@ namespace filmsticking::app {
 
 po::options_description reconstruction_arguments() {
   po::options_description options("Reconstruction", 100);
-  options.add_options()("preset", po::value<std::string>()->value_name("default|paper"),
-                        "where the options start from; paper: sphere, 1000 virtual sites, one Poisson round")(
+  options.add_options()(
+      "open", "leave out the faces that no points support: the surface that was seen, with its borders")(
+      "keep-outliers", "bring on points that are far from all others, too")(
+      "preset", po::value<std::string>()->value_name("default|paper"),
+      "where the options start from; paper: sphere, 1000 virtual sites, one Poisson round")(
       "init", po::value<std::string>()->value_name("sphere|wrap|carve"),
       "carve (the default): no film; else the surface that a film starts from")(
       "field", po::value<std::string>()->value_name("poisson|sculpt|none"),
@@ -53,6 +56,8 @@ Options reconstruction_options(const Arguments& given) {
              [&](const auto& name, const auto& text) { options.max_rounds = parse_count(name, text, 1); });
   given.with("threads",
              [&](const auto& name, const auto& text) { options.threads = parse_count(name, text, 0); });
+  options.open_boundary = given.has("open");
+  options.keep_outliers = given.has("keep-outliers");
   if (given.has("no-weights")) options.weights = false;
   if (given.has("no-insert")) options.insert_leftover = false;
   return options;

@@ -3,27 +3,28 @@
 
 #include <sys/resource.h>
 
-#include <cinttypes>
 #include <cstdio>
 
 namespace filmsticking::app {
 
 std::string mesh_summary(const Result& result, const std::string& file) {
   const Report& report = result.report;
-  const double share =
-      report.sites > 0 ? 100.0 * static_cast<double>(report.interpolated) / static_cast<double>(report.sites)
-                       : 0;
-  char text[400];
-  std::snprintf(text, sizeof text,
-                ": %zu vertices, %zu triangles\n"
-                "closed  %s, %s\n"
-                "genus   %" PRId64 ", %" PRId64
-                " component%s\n"
-                "used    %" PRId64 " of %" PRId64 " points (%.2f %%)\n",
-                result.vertices.size(), result.triangles.size(), report.closed ? "yes" : "no",
-                report.manifold ? "manifold" : "not manifold", report.genus, report.components,
-                report.components == 1 ? "" : "s", report.interpolated, report.sites, share);
-  return "mesh    " + file + text;
+  const auto count = [](std::int64_t n, const char* what) {
+    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+  };
+  std::string text = "mesh    " + file + ": " + std::to_string(result.vertices.size()) + " vertices, " +
+                     std::to_string(result.triangles.size()) + " triangles\nclosed  ";
+  text += report.closed ? "yes" : "no, " + count(report.boundary_loops, "border");
+  text += report.manifold ? ", manifold\n" : ", not manifold\n";
+  text += "genus   " + std::to_string(report.genus) + ", " + count(report.components, "component") + "\n";
+  char share[40];
+  std::snprintf(share, sizeof share, " (%.2f %%)",
+                report.sites > 0
+                    ? 100.0 * static_cast<double>(report.interpolated) / static_cast<double>(report.sites)
+                    : 0.0);
+  text += "used    " + std::to_string(report.interpolated) + " of " + count(report.sites, "point") + share;
+  if (report.outliers > 0) text += ", " + count(report.outliers, "outlier") + " left off";
+  return text + "\n";
 }
 
 std::string cost_summary(double seconds) {

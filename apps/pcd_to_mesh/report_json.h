@@ -21,8 +21,8 @@ struct RunFacts {
 ///   input, output, status, message: strings; message is empty when status is "Ok"
 ///   read: points in the input; points: those that the filters left; sites, non_finite, duplicates: as in
 ///   Report
-///   interpolated, interpolated_share (of the sites, 0 to 1), inserted
-///   vertices, triangles, components, genus, closed, manifold: the mesh
+///   interpolated, interpolated_share (of the sites, 0 to 1), outliers, inserted
+///   vertices, triangles, components, genus, boundary_edges, boundary_loops, closed, manifold: the mesh
 ///   rounds; steps: a list of round, attracted, virtual_left, weighted, regions_repaired, seconds
 ///   rooms: a list of room, seconds
 ///   reconstruction_seconds, seconds (with reading and writing), peak_memory_bytes

@@ -14,8 +14,10 @@
 #include "capture/frame_points.h"
 #include "capture/frame_source.h"
 #include "capture/pose_source.h"
+#include "capture/strict_pcd.h"
 #include "capture/trajectory.h"
 #include "capture/voxel_map.h"
+#include "io/files.h"
 #include "scratch_folder.h"
 #include "support/clouds.h"
 #include "turntable.h"
@@ -168,6 +170,50 @@ TEST(PcdSequence, PlaysFilesAndGoesOnBehindBrokenOnes) {
   EXPECT_EQ(frame_points(*scan, {}).positions, (std::vector<Point>{{1, 2, 3}, {4, 5, 6}}));
   EXPECT_TRUE(source->at_end());
   EXPECT_FALSE(source->next());
+}
+
+TEST(StrictPcd, RefusesWhatPclsReaderDoesNotStand) {
+  const std::vector<std::string> lines = {
+      "VERSION 0.7", "FIELDS x y z", "SIZE 4 4 4", "TYPE F F F",
+      "COUNT 1 1 1", "WIDTH 2",      "HEIGHT 1",   "VIEWPOINT 0 0 0 1 0 0 0",
+      "POINTS 2",    "DATA ascii",   "1 2 3",      "4 5 6"};
+  const auto file = [](const std::vector<std::string>& of) {
+    std::string text = "# .PCD v0.7\n";
+    for (const std::string& line : of) text += line + "\n";
+    return text;
+  };
+  EXPECT_NO_THROW(check_pcd(file(lines)));
+  for (const char* name : {"bun0", "bun4", "lamppost", "milk", "spot_turntable/scan_00"})
+    EXPECT_NO_THROW(check_pcd(io::read_file(std::string(TEST_DATA "/") + name + ".pcd"))) << name;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    std::vector<std::string> without = lines;
+    without.erase(without.begin() + static_cast<std::ptrdiff_t>(k));
+    if (lines[k].rfind("VIEWPOINT", 0) == 0 || lines[k].rfind("COUNT", 0) == 0) {
+      EXPECT_NO_THROW(check_pcd(file(without))) << lines[k];  // these two have defaults
+    } else {
+      EXPECT_THROW(check_pcd(file(without)), CaptureError) << lines[k];
+    }
+  }
+  for (const auto& [line, other] : std::vector<std::pair<std::size_t, std::string>>{
+           {1, "FIELDS x y"},
+           {2, "SIZE 4 4"},
+           {2, "SIZE 4 4 3"},
+           {3, "TYPE F F X"},
+           {4, "COUNT 1 1 -1"},
+           {4, "COUNT 1 1 0"},
+           {5, "WIDTH 99999999999999999999"},
+           {5, "WIDTH 3"},
+           {7, "VIEWPOINT 0 0 0 nan 0 0 0"},
+           {9, "DATA binary"},
+           {9, "DATA binary_compressed"},
+           {9, "DATA"},
+           {10, "1 2"},
+       }) {
+    std::vector<std::string> changed = lines;
+    changed[line] = other;
+    EXPECT_THROW(check_pcd(file(changed)), CaptureError) << other;
+  }
+  EXPECT_THROW(check_pcd(""), CaptureError);
 }
 
 TEST(OpenniSource, AFileThatIsNoRecordingIsRefused) {

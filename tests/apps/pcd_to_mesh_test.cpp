@@ -195,6 +195,7 @@ TEST(PcdToMesh, EveryOptionWorks) {
       {"--virtual-sites", "200"},
       {"--virtual-sites", "adaptive"},
       {"--no-weights"},
+      {"--keep-outliers"},
       {"--no-insert"},
       {"--max-steps", "3"},
       {"--max-rounds", "1"},
@@ -350,6 +351,47 @@ TEST(PcdToMesh, FiltersRunBeforeTheSurface) {
 
   expect_failure({milk, folder / "no.ply", "--voxel", "1e-7"}, folder, 1);
   expect_failure({milk, folder / "no.ply", "--crop", "8,8,8,9,9,9"}, folder, 1);
+}
+
+TEST(PcdToMesh, AnOpenScanKeepsItsBorder) {
+  const ScratchFolder folder;
+  const std::string milk = TEST_DATA "/milk.pcd";
+  const Outcome outcome = pcd_to_mesh(
+      {milk, folder / "mesh.ply", "--open", "--voxel", "0.004", "--report", folder / "report.json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("closed  no, "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find(", manifold"), std::string::npos) << outcome.out;
+  boost::property_tree::ptree report;
+  boost::property_tree::read_json(folder / "report.json", report);
+  EXPECT_FALSE(report.get<bool>("closed"));
+  EXPECT_GT(report.get<int>("boundary_loops"), 0);
+  // Edges of one face only, counted anew.
+  std::map<std::pair<int, int>, int> faces_of;
+  for (const Triangle& t : io::read_mesh(folder / "mesh.ply").triangles)
+    for (int k = 0; k < 3; ++k) ++faces_of[std::minmax(t[k], t[(k + 1) % 3])];
+  int open = 0;
+  for (const auto& [edge, faces] : faces_of) {
+    EXPECT_LE(faces, 2);
+    open += faces == 1 ? 1 : 0;
+  }
+  EXPECT_EQ(report.get<int>("boundary_edges"), open);
+}
+
+TEST(PcdToMesh, OutliersAreLeftOffUnlessKept) {
+  const ScratchFolder folder;
+  Model cloud = io::read_cloud(kSpot);
+  cloud.positions.resize(3000);
+  const Point stray{9, 9, 9};
+  cloud.positions.push_back(stray);
+  io::write_model(folder / "cloud.ply", cloud);
+  const Outcome outcome = pcd_to_mesh({folder / "cloud.ply", folder / "mesh.ply"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("1 outlier left off"), std::string::npos) << outcome.out;
+  const Model mesh = io::read_mesh(folder / "mesh.ply");
+  EXPECT_EQ(std::count(mesh.positions.begin(), mesh.positions.end(), stray), 0);
+  const Outcome kept = pcd_to_mesh({folder / "cloud.ply", folder / "kept.ply", "--keep-outliers"});
+  EXPECT_EQ(kept.status, 0) << kept.err;
+  EXPECT_EQ(kept.out.find("outlier"), std::string::npos) << kept.out;
 }
 
 TEST(PcdToMesh, ABatchIsTheMeshesOneByOne) {
