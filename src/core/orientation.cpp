@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "enclosed_volume.h"
 #include "triangle_adjacency.h"
 
 namespace filmsticking {
@@ -21,24 +22,25 @@ double solid_angle_winding(const GuidingSurface& surface, const std::vector<Inde
   return sum / (2 * M_PI);
 }
 
-void orient_components(GuidingSurface& surface) {
+bool orient_components(GuidingSurface& surface, const std::vector<Point>& places) {
   std::vector<Index> component;
   const Index count = connected_components(
       half_edge_twins(surface.triangles, static_cast<Index>(surface.positions.size())), component);
   std::vector<std::vector<Index>> members(count);
   for (std::size_t t = 0; t < component.size(); ++t) members[component[t]].push_back(static_cast<Index>(t));
-  std::vector<double> volume(count, 0);
+  std::vector<int> volume(count, 0);  // its sign
   std::vector<Vec3> lo(count, Vec3::Constant(1e300)), hi(count, Vec3::Constant(-1e300));
-  for (Index c = 0; c < count; ++c)
+  for (Index c = 0; c < count; ++c) {
+    std::vector<Corners> triangles;
     for (Index t : members[c]) {
-      // Relative to a corner of the component, which keeps the digits of small ones.
-      const Vec3 o = surface.corner(members[c][0], 0);
-      volume[c] += (surface.corner(t, 0) - o).dot((surface.corner(t, 1) - o).cross(surface.corner(t, 2) - o));
+      triangles.push_back(surface.triangles[t]);
       for (int k = 0; k < 3; ++k) {
         lo[c] = lo[c].cwiseMin(surface.corner(t, k));
         hi[c] = hi[c].cwiseMax(surface.corner(t, k));
       }
     }
+    volume[c] = enclosed_volume_sign(triangles, places);
+  }
   // Largest boxes first: a component lies only inside larger ones, which are turned by then.
   std::vector<Index> order(count);
   for (Index c = 0; c < count; ++c) order[c] = c;
@@ -59,6 +61,7 @@ void orient_components(GuidingSurface& surface) {
     if ((volume[c] < 0) == cavity) continue;
     for (Index t : members[c]) std::swap(surface.triangles[t][1], surface.triangles[t][2]);
   }
+  return std::any_of(volume.begin(), volume.end(), [](int sign) { return sign != 0; });
 }
 
 }  // namespace filmsticking

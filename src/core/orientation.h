@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
+#include "filmsticking/types.h"
 #include "guiding_surface.h"
 
 namespace filmsticking {
 
 /// Turns the components of a closed manifold so that outermost ones enclose positive volume and cavities
-/// negative volume.
-void orient_components(GuidingSurface& surface);
+/// negative volume. What a component is inside of is decided by the surface, which may be perturbed; the sign
+/// of a volume, by the true `places` of its vertices, between which there can be less than a perturbation.
+/// False if no component encloses any volume.
+bool orient_components(GuidingSurface& surface, const std::vector<Point>& places);
 
 /// The winding number of a closed surface around x: the sum of its triangles' solid angles over 4 pi.
 double solid_angle_winding(const GuidingSurface& surface, const std::vector<Index>& triangles, const Vec3& x);

@@ -137,7 +137,11 @@ void run(const std::vector<Point>& points, const Options& options, const Executi
   GuidingSurface film = Pipeline(sites, geometry, options, monitor, report).run();
   if (film.triangles.empty()) return fail(result, Status::NoSurface, describe(Status::NoSurface));
   monitor.enter("result", 0.97);
-  if (!options.open_boundary) orient_components(film);
+  std::vector<Point> places;
+  for (const Index site : film.site) places.push_back(points[static_cast<std::size_t>(sites.input[site])]);
+  // It may be flat, by less than the points are perturbed.
+  if (!options.open_boundary && !orient_components(film, places))
+    return fail(result, Status::NoSurface, describe(Status::NoSurface));
   write_result(film, face_gaps(film, geometry), sites, result);
   describe_result(result);
   if (!report.manifold || !(report.closed || options.open_boundary))

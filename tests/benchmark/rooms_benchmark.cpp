@@ -170,7 +170,9 @@ void register_rooms() {
   room("self-check: quality", [](const House& h) { return film_quality(h.film, h.geometry).disagreement; });
   room("self-check: orientation and manifold", [](const House& h) {
     GuidingSurface film = h.film;
-    orient_components(film);
+    std::vector<Point> places;
+    for (const Vec3& p : film.positions) places.push_back({p.x(), p.y(), p.z()});
+    orient_components(film, places);
     return check_manifold(film.triangles, static_cast<Index>(film.positions.size())).ok();
   });
 }

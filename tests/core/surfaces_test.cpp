@@ -2,6 +2,7 @@
 // Adjacency, first surfaces, orientation.
 #include <gtest/gtest.h>
 
+#include "enclosed_volume.h"
 #include "guiding_surface.h"
 #include "orientation.h"
 #include "site_set.h"
@@ -60,6 +61,44 @@ TEST(GuidingSurface, WrapIsClosedAndHoldsTheSites) {
     EXPECT_NEAR(solid_angle_winding(wrap, all, set.positions[s]), 1, 1e-6);
 }
 
+std::vector<Point> places_of(const GuidingSurface& surface) {
+  std::vector<Point> places;
+  for (const Vec3& p : surface.positions) places.push_back({p.x(), p.y(), p.z()});
+  return places;
+}
+
+TEST(Orientation, TheTruePlacesSayWhatIsOutward) {
+  GuidingSurface surface;  // perturbed, the tip came out on the other side of its base
+  surface.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.2, -1e-8}};
+  surface.site.assign(4, kNone);
+  surface.triangles.assign(std::begin(kTetrahedron), std::end(kTetrahedron));
+  for (const double tip : {1e-12, -1e-12, 1e-300, -1e-300}) {
+    const std::vector<Point> places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.2, tip}};
+    EXPECT_TRUE(orient_components(surface, places));
+    EXPECT_EQ(enclosed_volume_sign(surface.triangles, places), 1);
+  }
+  EXPECT_FALSE(orient_components(surface, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.2, 0}}));
+}
+
+TEST(EnclosedVolume, IsExactAtEveryScale) {
+  const std::vector<Corners> triangles(std::begin(kTetrahedron), std::end(kTetrahedron));
+  const auto sign = [&](double x, double y, double z, const Point& o) {
+    return enclosed_volume_sign(triangles,
+                                {o, {o[0] + x, o[1], o[2]}, {o[0], o[1] + y, o[2]}, {o[0], o[1], o[2] + z}});
+  };
+  const int outward = sign(1, 1, 1, {0, 0, 0});
+  EXPECT_EQ(std::abs(outward), 1);
+  EXPECT_EQ(sign(1, 1, -1, {0, 0, 0}), -outward);
+  EXPECT_EQ(sign(1, 1, 0, {0, 0, 0}), 0);
+  EXPECT_EQ(sign(1e308, 1e308, -1e308, {0, 0, 0}), -outward);
+  EXPECT_EQ(sign(1e308, 1e-200, 1e-200, {0, 0, 0}), outward);
+  EXPECT_EQ(sign(5e-324, -5e-324, 5e-324, {0, 0, 0}), -outward);
+  EXPECT_EQ(sign(1e300, 1e300, 1e300, {-1e308, 1e308, 1e308}), outward);
+  EXPECT_EQ(sign(1, 1, 1e-9, {1e6, 1e6, 1e6}), outward);
+  EXPECT_EQ(sign(1, 1, 1e-12, {1e6, 1e6, 1e6}), 0);  // rounded away already
+  EXPECT_EQ(enclosed_volume_sign({}, {}), 0);
+}
+
 TEST(Orientation, TurnsSolidsOutwardAndCavitiesInward) {
   GuidingSurface nested;
   for (const double size : {4.0, 1.0, 0.2}) {  // solid, cavity, solid in the cavity
@@ -73,7 +112,7 @@ TEST(Orientation, TurnsSolidsOutwardAndCavitiesInward) {
     GuidingSurface turned = nested;
     for (std::size_t t = 0; t < turned.triangles.size(); ++t)
       if (flips >> (t / 4) & 1) std::swap(turned.triangles[t][1], turned.triangles[t][2]);
-    orient_components(turned);
+    EXPECT_TRUE(orient_components(turned, places_of(turned)));
     for (int part = 0; part < 3; ++part) {
       GuidingSurface one = turned;
       one.triangles.assign(turned.triangles.begin() + 4 * part, turned.triangles.begin() + 4 * part + 4);

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "filmsticking/types.h"
+#include "vec.h"
+
+namespace filmsticking {
+
+/// The sign, -1, 0 or 1, of the volume that some triangles of a closed surface enclose; exact, also where it
+/// is less than what rounding leaves. `corners` name `places`, which are finite.
+int enclosed_volume_sign(const std::vector<Corners>& triangles, const std::vector<Point>& places);
+
+}  // namespace filmsticking
