@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "filmsticking/reconstruct.h"
+
+namespace filmsticking::test {
+
+/// The mesh that a result names.
+Mesh mesh_of(const Result& result, const std::vector<Point>& points);
+
+/// Empty if the result of reconstruct(points) is what is promised for any points; else what is wrong. A mesh:
+/// closed, manifold, oriented, its volume is positive (decided exactly), its vertices are points handed in,
+/// none of them twice. Or a status that the points deserve, with a sentence and an empty mesh.
+std::string fault_of(const Result& result, const std::vector<Point>& points);
+
+}  // namespace filmsticking::test
