@@ -107,7 +107,7 @@ std::string usage() {
          "and meshes what there is; a second one ends the program.\n"
          "  RECORDING  a folder of .pcd files (in the order of their names), .pcd files one by one, or an\n"
          "             .oni file of a depth camera. A number at the end of a PCD file's name is its time.\n"
-         "  OUTPUT     .ply .obj .stl .vtk .glb\n\n"
+         "  OUTPUT     .ply .obj .stl .vtk .glb; with --open, what was seen, with borders\n\n"
       << visible_options()
       << "\nThe filters crop, sor and voxel run on each frame, in the sensor's coordinates; mls runs on the "
          "fused cloud.\n"
