@@ -272,8 +272,8 @@ class Node {
   dynamic_reconfigure::Server<FilmstickingConfig> reconfigure_;
   ros::Subscriber input_;
   ros::WallTimer timer_;
+  ros::CallbackQueue patient_queue_;  // before its services, which leave it when they end
   ros::ServiceServer reset_service_, reconstruct_service_, save_service_;
-  ros::CallbackQueue patient_queue_;
   ros::AsyncSpinner patient_spinner_;
 };
 

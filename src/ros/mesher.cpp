@@ -73,7 +73,7 @@ void Mesher::add(const io::Model& frame, const Origin& origin, Clock::time_point
 
 void Mesher::tick(Clock::time_point now) {
   const std::lock_guard lock(mutex_);
-  if (settings_.every_seconds <= 0 || frames_since_ == 0) return;
+  if (!(settings_.every_seconds > 0) || frames_since_ == 0) return;
   if (std::chrono::duration<double>(now - last_due_).count() < settings_.every_seconds) return;
   last_due_ = now;
   request_locked(settings_.cancel_outdated);
@@ -99,12 +99,15 @@ void Mesher::work(Job& job, Ticket ticket, const std::atomic<bool>& cancel) {
   auto outcome = std::make_shared<Outcome>(reconstruct_cloud(job.cloud, job.filters, job.options, cancel));
   outcome->origin = job.origin;
   outcome->ticket = ticket;
-  const std::lock_guard lock(results_mutex_);
-  if (job.era != era_ || outcome->status == Status::Cancelled) return;
-  last_ = outcome;
-  if (outcome->status == Status::Ok) {
-    last_mesh_ = outcome;
-    ++meshes_;
+  const std::lock_guard publish_lock(publish_mutex_);
+  {
+    const std::lock_guard lock(results_mutex_);
+    if (job.era != era_ || outcome->status == Status::Cancelled) return;
+    last_ = outcome;
+    if (outcome->status == Status::Ok) {
+      last_mesh_ = outcome;
+      ++meshes_;
+    }
   }
   publish_(*outcome);
 }
@@ -116,6 +119,7 @@ std::shared_ptr<const Outcome> Mesher::wait(Ticket ticket) {
 }
 
 void Mesher::reset() {
+  const std::lock_guard publish_lock(publish_mutex_);
   const std::lock_guard lock(mutex_);
   accumulator_.clear();
   frames_since_ = 0;
@@ -124,12 +128,12 @@ void Mesher::reset() {
     const std::lock_guard results_lock(results_mutex_);
     ++era_;
     last_ = last_mesh_ = nullptr;
-    Outcome empty;
-    empty.status = Status::Ok;
-    empty.origin = origin_;
-    publish_(empty);
   }
   worker_.cancel();
+  Outcome empty;
+  empty.status = Status::Ok;
+  empty.origin = origin_;
+  publish_(empty);
 }
 
 std::shared_ptr<const Outcome> Mesher::last_mesh() const {

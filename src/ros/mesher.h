@@ -123,7 +123,8 @@ class Mesher {
   Clock::time_point last_due_{};
 
   const Publish publish_;
-  mutable std::mutex results_mutex_;  // of what follows; held while publishing; never taken before mutex_
+  std::mutex publish_mutex_;          // held while publishing; taken first
+  mutable std::mutex results_mutex_;  // of what follows; taken last
   std::int64_t era_ = 0;              // resets so far: what was begun before one is not published after it
   std::int64_t meshes_ = 0;
   std::shared_ptr<const Outcome> last_, last_mesh_;

@@ -96,7 +96,10 @@ class NewestWins {
       work_(job, ticket, cancel_);
       lock.lock();
       running_ = false;
-      over_ = waiting_ ? ticket : newest_;  // without one waiting, younger ones were cancelled
+      if (!waiting_)
+        over_ = newest_;  // younger ones were cancelled, if there are any
+      else if (!cancel_)
+        over_ = ticket;  // else the waiting one is in its place
       changed_.notify_all();
     }
   }

@@ -64,9 +64,10 @@ TEST(NewestWins, AtOnceEndsTheRunningJob) {
   Notes notes;
   std::promise<void> never;
   NewestWins<Held> worker([&](Held& job, auto, const auto& cancel) { notes.work(job, cancel); });
-  worker.submit({1, never.get_future().share()});
+  const auto first = worker.submit({1, never.get_future().share()});
   notes.begun.get_future().wait();
-  EXPECT_TRUE(worker.wait(worker.submit({2, {}}, true)));
+  worker.submit({2, {}}, true);
+  EXPECT_TRUE(worker.wait(first));  // for the one that took its place
   EXPECT_EQ(notes.cancelled, (std::vector<int>{1}));
   EXPECT_EQ(notes.done, (std::vector<int>{2}));
 }
