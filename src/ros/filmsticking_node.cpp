@@ -53,6 +53,8 @@ Settings settings_of(const FilmstickingConfig& config) {
   if (config.mls > 0) settings.filters.smoothing = config.mls;
   filters::check(settings.filters);
   settings.options.threads = config.threads;
+  settings.options.open_boundary = config.open;
+  settings.options.keep_outliers = config.keep_outliers;
   return settings;
 }
 

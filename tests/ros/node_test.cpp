@@ -113,7 +113,7 @@ TEST(Demo, TheMeshOfTheFileArrives) {
 }
 
 TEST(Bag, ItsCloudsAreFused) {
-  constexpr int kClouds = 12, kPoints = 150;  // as write_bag.py writes
+  constexpr std::size_t kClouds = 12, kPoints = 150;  // as write_bag.py writes
   const ros::Time last(2000 + 0.25 * (kClouds - 1));
   MeshInbox meshes("filmsticking/mesh");
   const auto message = meshes.wait([last](const auto& mesh) { return mesh.header.stamp == last; });
@@ -121,7 +121,7 @@ TEST(Bag, ItsCloudsAreFused) {
   EXPECT_EQ(message->header.frame_id, "map");
   const io::Model mesh = to_mesh_model(*message);
   EXPECT_EQ(test::surface_fault({mesh.positions, mesh.triangles}), "");
-  EXPECT_EQ(mesh.positions.size(), std::size_t{kClouds * kPoints});
+  EXPECT_GT(mesh.positions.size(), kClouds * kPoints * 99 / 100);  // none of the clouds was missed
   for (const Point& p : mesh.positions) EXPECT_NEAR(std::hypot(p[0], p[1], p[2]), 1, 1e-5);
 }
 
@@ -158,6 +158,11 @@ class NodeTest : public testing::Test {
   static void set(const std::string& name, int value) {
     dynamic_reconfigure::Config config;
     put(config.ints, name, value);
+    set(config);
+  }
+  static void set(const std::string& name, bool value) {
+    dynamic_reconfigure::Config config;
+    put(config.bools, name, value);
     set(config);
   }
   static void set(const std::string& name, double value) {
@@ -299,6 +304,17 @@ TEST_F(NodeTest, RunsTheFilters) {
   for (const Point& p : ball(300, 2, {5, 0, 0}).positions) cloud.positions.push_back(p);
   for (const Point& p : ball(300, 3, {50, 0, 0}).positions) cloud.positions.push_back(p);
   expect_good_mesh(mesh_of(publish(cloud)), inside);
+}
+
+TEST_F(NodeTest, LeavesASurfaceOpenIfAsked) {
+  io::Model half;  // one side of a sphere
+  for (const Point& p : ball(4000).positions)
+    if (p[2] > 0) half.positions.push_back(p);
+  expect_good_mesh(mesh_of(publish(half)), half.positions);
+  set("open", true);
+  const io::Model mesh = mesh_of(publish(half));
+  EXPECT_EQ(test::surface_fault({mesh.positions, mesh.triangles}, true), "");
+  EXPECT_EQ(test::surface_fault({mesh.positions, mesh.triangles}), "an edge has one face only");
 }
 
 TEST_F(NodeTest, MovesCloudsToTheFixedFrame) {
