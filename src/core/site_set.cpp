@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "site_set.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
+
+#include "parallel.h"
 
 namespace filmsticking {
 namespace {
@@ -21,14 +26,16 @@ std::uint64_t mix(std::uint64_t x) {
   return x ^ (x >> 33);
 }
 
+std::uint64_t bits_of(double x) {
+  std::uint64_t bits;
+  x += 0.0;  // -0 becomes 0
+  std::memcpy(&bits, &x, sizeof bits);
+  return bits;
+}
+
 std::uint64_t hash(const Vec3& p) {
   std::uint64_t h = 0;
-  for (int k = 0; k < 3; ++k) {
-    std::uint64_t bits;
-    const double x = p[k] + 0.0;  // -0 becomes 0
-    std::memcpy(&bits, &x, sizeof bits);
-    h = mix(h ^ bits) + 0x9e3779b97f4a7c15ULL;
-  }
+  for (int k = 0; k < 3; ++k) h = mix(h ^ bits_of(p[k])) + 0x9e3779b97f4a7c15ULL;
   return h;
 }
 
@@ -49,6 +56,49 @@ std::uint64_t morton(const Vec3& p) {
     code |= spread(static_cast<std::uint64_t>(cell)) << k;
   }
   return code;
+}
+
+// The 24 turns of a cube onto itself.
+std::vector<AxisTurn> axis_turns() {
+  std::vector<AxisTurn> turns;
+  std::array<int, 3> axis{0, 1, 2};
+  do {
+    const bool odd = (axis[0] > axis[1]) != ((axis[1] > axis[2]) != (axis[0] > axis[2]));
+    for (int minus = 0; minus < 8; ++minus) {
+      const AxisTurn turn{axis, {minus & 1 ? -1. : 1., minus & 2 ? -1. : 1., minus & 4 ? -1. : 1.}};
+      if ((turn.sign[0] * turn.sign[1] * turn.sign[2] < 0) == odd) turns.push_back(turn);
+    }
+  } while (std::next_permutation(axis.begin(), axis.end()));
+  return turns;
+}
+
+// The turn after which the sums of hashes of the coordinates come first, of each axis and, where these are
+// the same for several, of the points: sums do not depend on an order, and these are of whole numbers.
+AxisTurn canonical_turn(const std::vector<Vec3>& points) {
+  std::array<std::array<std::uint64_t, 2>, 3> sum{};  // of each axis, as it is and mirrored
+  for (const Vec3& p : points)
+    for (int k = 0; k < 3; ++k) {
+      sum[k][0] += mix(bits_of(p[k]));
+      sum[k][1] += mix(bits_of(-p[k]));
+    }
+  const auto by_axes = [&](const AxisTurn& turn) {
+    std::array<std::uint64_t, 3> key{};
+    for (int k = 0; k < 3; ++k) key[k] = sum[turn.axis[k]][turn.sign[k] < 0];
+    return key;
+  };
+  std::vector<AxisTurn> turns = axis_turns();
+  std::stable_sort(turns.begin(), turns.end(),
+                   [&](const AxisTurn& a, const AxisTurn& b) { return by_axes(a) < by_axes(b); });
+  AxisTurn best = turns[0];
+  std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
+  for (const AxisTurn& turn : turns) {
+    if (by_axes(turn) != by_axes(turns[0])) break;
+    if (by_axes(turns[1]) != by_axes(turns[0])) break;  // there is only one
+    std::uint64_t key = 0;
+    for (const Vec3& p : points) key += mix(hash(turn(p)));
+    if (key < least) least = key, best = turn;
+  }
+  return best;
 }
 
 }  // namespace
@@ -80,23 +130,36 @@ SiteSet make_site_set(const std::vector<Point>& points) {
   const double half = (hi * 0.5 - lo * 0.5).maxCoeff();
   set.side = half > 0 ? std::min(half, std::numeric_limits<double>::max() / 4) * 2 : 1;
 
-  for (Entry& e : entries) e.code = morton(set.to_unit(points[static_cast<std::size_t>(e.id)]));
-  std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
-    if (a.code != b.code) return a.code < b.code;
-    const Point &p = points[static_cast<std::size_t>(a.id)], &q = points[static_cast<std::size_t>(b.id)];
-    return p != q ? p < q : a.id < b.id;
+  const auto sort_entries = [&] {
+    parallel_each(entries.size(), [&](std::size_t i) {
+      entries[i].code = morton(set.to_unit(points[static_cast<std::size_t>(entries[i].id)]));
+    });
+    tbb::parallel_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+      if (a.code != b.code) return a.code < b.code;
+      const Point &p = points[static_cast<std::size_t>(a.id)], &q = points[static_cast<std::size_t>(b.id)];
+      if (p == q) return a.id < b.id;
+      const Vec3 u = set.turn(Vec3(p[0], p[1], p[2])), v = set.turn(Vec3(q[0], q[1], q[2]));
+      return std::lexicographical_compare(u.data(), u.data() + 3, v.data(), v.data() + 3);
+    });
+  };
+  sort_entries();
+  // Equal points have equal codes and stand side by side.
+  const auto distinct = std::unique(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+    return points[static_cast<std::size_t>(a.id)] == points[static_cast<std::size_t>(b.id)];
   });
+  set.duplicates = std::distance(distinct, entries.end());
+  entries.erase(distinct, entries.end());
+
+  std::vector<Vec3> unturned;
+  unturned.reserve(entries.size());
+  for (const Entry& e : entries) unturned.push_back(set.to_unit(points[static_cast<std::size_t>(e.id)]));
+  set.turn = canonical_turn(unturned);
+  sort_entries();
   set.positions.reserve(entries.size());
   set.input.reserve(entries.size());
-  for (std::size_t k = 0; k < entries.size(); ++k) {
-    const Point& p = points[static_cast<std::size_t>(entries[k].id)];
-    // Equal points have equal codes and stand side by side.
-    if (k > 0 && points[static_cast<std::size_t>(entries[k - 1].id)] == p) {
-      ++set.duplicates;
-      continue;
-    }
-    set.positions.push_back(set.to_unit(p));
-    set.input.push_back(entries[k].id);
+  for (const Entry& e : entries) {
+    set.positions.push_back(set.to_unit(points[static_cast<std::size_t>(e.id)]));
+    set.input.push_back(e.id);
   }
   set.perturbed.reserve(set.size());
   for (const Vec3& p : set.positions) {

@@ -42,6 +42,27 @@ TEST(SiteSet, DoesNotDependOnTheOrder) {
   EXPECT_EQ(a.perturbed, b.perturbed);
 }
 
+TEST(SiteSet, DoesNotDependOnATurnByRightAngles) {
+  auto points = test::box(300, 3, {3, 2, 1});
+  points.push_back({0.1, 0.2, 0.3});
+  const SiteSet a = make_site_set(points);
+  for (const int turns : {1, 2, 3})
+    for (int axis = 0; axis < 3; ++axis) {
+      auto turned = points;
+      for (Point& p : turned)
+        for (int i = 0; i < turns; ++i) {
+          std::swap(p[axis], p[(axis + 1) % 3]);
+          p[axis] = -p[axis];
+        }
+      const SiteSet b = make_site_set(turned);
+      EXPECT_EQ(a.positions, b.positions);
+      EXPECT_EQ(a.perturbed, b.perturbed);
+      EXPECT_EQ(a.input, b.input);
+      const Point back = b.to_input(b.positions[7]);
+      for (int k = 0; k < 3; ++k) EXPECT_NEAR(back[k], turned[b.input[7]][k], 1e-12);
+    }
+}
+
 TEST(SiteSet, SurvivesExtremeCoordinates) {
   const double huge = std::numeric_limits<double>::max();
   const SiteSet wide = make_site_set({{-huge, 0, 0}, {huge, 1, 2}, {0, huge, 0}});
