@@ -12,8 +12,8 @@ namespace filmsticking {
 /// spacings of its corner with the largest. Without unit; about 1.5 on an evenly sampled surface.
 std::vector<float> face_gaps(const GuidingSurface& film, const SiteGeometry& geometry);
 
-/// Where the surface of some labels, itself not a manifold yet, will be one once its bridges are gone: 1 for a
-/// site whose other faces form one ring or one fan. `triangles`: of sites.
+/// Where the surface of some labels, itself not a manifold yet, will be one once its bridges are gone: 1 for
+/// a site whose other faces form one ring or one fan. `triangles`: of sites.
 std::vector<char> manifold_without_bridges(const std::vector<Corners>& triangles,
                                            const std::vector<Vec3>& sites, const SiteGeometry& geometry);
 

@@ -47,9 +47,10 @@ constexpr double kWrapAlpha = 0.05;
 // An inserted site may be this many longest edges of its face away from it.
 constexpr double kReach = 2;
 
-// Shares of the sites: a first cut that leaves no more off than the first is taken; where the best surface
-// leaves more off than the second, the film from the sphere is tried too.
-constexpr double kLittleTrouble = 0.01, kMuchTrouble = 0.1;
+// Shares of the sites: a first cut that leaves no more off than the first is taken; one that leaves more off
+// than the second may be that of an open surface, which has no inside; where the best surface leaves more off
+// than the third, the film from the sphere is tried too.
+constexpr double kLittleTrouble = 0.01, kNoInside = 0.3, kMuchTrouble = 0.1;
 
 // Is there a film, and are all its vertices sites?
 bool of_sites(const GuidingSurface& film) {
@@ -225,15 +226,18 @@ Pipeline::Candidate Pipeline::carve() {
   monitor_.enter("signed field", 0.25);
   Candidate best = cut(signed_field(mesh_, evidence_, carve_belief(2, kInsideSlope)), kConviction);
   if (best.weak <= kLittleTrouble && !best.film.triangles.empty()) return best;
-  monitor_.enter("two sides", monitor_.share());
-  Candidate sides =
-      cut(two_sides(mesh_, sites_.perturbed, evidence_, geometry_), kSidesConviction, options_.open_boundary);
-  // A plain open surface: nothing else can be better, and all else takes long there.
-  const bool plain = sides.weak <= kLittleTrouble && static_cast<double>(sides.quality.complexity) <=
-                                                         kLittleTrouble * static_cast<double>(sites_.size());
-  if (sides.score() < best.score()) {
-    best = std::move(sides);
-    if (plain) return best;
+  if (best.weak > kNoInside) {
+    monitor_.enter("two sides", monitor_.share());
+    Candidate sides = cut(two_sides(mesh_, sites_.perturbed, evidence_, geometry_), kSidesConviction,
+                          options_.open_boundary);
+    // A plain open surface: nothing else can be better, and all else takes long there.
+    const bool plain =
+        sides.weak <= kLittleTrouble &&
+        static_cast<double>(sides.quality.complexity) <= kLittleTrouble * static_cast<double>(sites_.size());
+    if (sides.score() < best.score()) {
+      best = std::move(sides);
+      if (plain) return best;
+    }
   }
   for (const double width : kCarveWidths) {
     monitor_.enter("carving", monitor_.share());

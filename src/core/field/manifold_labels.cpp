@@ -17,6 +17,18 @@ constexpr double kHandlePrice = 20;
 // price. The cheap ones first, as they often make the others cheap.
 constexpr double kFirstShare = 0.1;
 
+// Of larger moves the least cost is not worth its own price.
+constexpr std::size_t kFewMoves = 16;
+
+// In a larger star only whole pieces are moved: to try every tetrahedron takes the square of their number.
+constexpr std::size_t kWideStar = 400;
+
+// What a handle less is worth when it comes from another labelling, in sites off the surface: little, as a
+// hole that is there is worth no more.
+constexpr double kFusionPrice = 0.5;
+// A larger set of tetrahedra is not taken from another labelling.
+constexpr std::size_t kLargestFusion = 5000;
+
 void unique_sorted(std::vector<Index>& v) {
   std::sort(v.begin(), v.end());
   v.erase(std::unique(v.begin(), v.end()), v.end());
@@ -110,6 +122,22 @@ double ManifoldLabels::flip_cost(Index t) const {
   return cost;
 }
 
+// No less than a move would cost at best, without a look at the stars: those of sites far from all others
+// are large. What a surplus piece costs goes in with `piece`.
+double ManifoldLabels::least_cost(const Move& move, double piece) {
+  double cost = 0;
+  touched_.clear();
+  for (Index t : move) {
+    cost += flip_cost(t);
+    inside_[t] = !inside_[t];
+    for (Index v : mesh_.tets.corners[t])
+      if (std::find(touched_.begin(), touched_.end(), v) == touched_.end()) touched_.push_back(v);
+  }
+  for (Index t : move) inside_[t] = !inside_[t];
+  for (Index v : touched_) cost -= piece * census_[v].surplus() + (census_[v].off() ? costs_.off[v] : 0);
+  return cost;
+}
+
 // What a move would change. Leaves the labels as they are.
 ManifoldLabels::Effect ManifoldLabels::effect(const Move& move) {
   Effect e;
@@ -198,10 +226,13 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::moves_at(Index v, bool erode) 
     if (!in || !erode) moves.push_back(bridge(v, star, first[i], first[i + 1]));
     if (in || !erode) moves.push_back(std::move(piece));
   }
-  for (Index t : all_in) moves.push_back({t});
+  const bool wide = star.size() > kWideStar;
+  if (!wide)
+    for (Index t : all_in) moves.push_back({t});
   moves.push_back(std::move(all_in));
   if (!erode) {
-    for (Index t : all_out) moves.push_back({t});
+    if (!wide)
+      for (Index t : all_out) moves.push_back({t});
     moves.push_back(std::move(all_out));
   }
   return moves;
@@ -211,7 +242,7 @@ ManifoldLabels::Move ManifoldLabels::best_move(Index v, bool erode) {
   Move best;
   double best_cost = std::numeric_limits<double>::infinity();
   for (Move& move : moves_at(v, erode)) {
-    if (!allowed(move)) continue;
+    if (!allowed(move) || (move.size() <= kFewMoves && least_cost(move, site_cost_) >= best_cost)) continue;
     const Effect e = effect(move);
     double cost = e.cost + e.surplus * site_cost_;
     if (!erode) {
@@ -288,7 +319,7 @@ ManifoldLabels::Move ManifoldLabels::best_reach(Index v, double share) {
   Move best;
   double best_cost = -(1 - share) * costs_.off[v];
   const auto consider = [&](Move move) {
-    if (!allowed(move) || !grows(move)) return;
+    if (!allowed(move) || !grows(move) || least_cost(move, 0) >= best_cost) return;
     const Effect e = effect(move);
     if (e.surplus == 0 && e.euler == 0 && e.cost < best_cost) best_cost = e.cost, best = std::move(move);
   };
@@ -305,17 +336,31 @@ ManifoldLabels::Move ManifoldLabels::best_reach(Index v, double share) {
 
 void ManifoldLabels::reach() {
   std::vector<Index> none;
+  std::vector<char> changed(seed_.size());  // something about its star, since it was looked at in vain
   for (double share = kFirstShare;;) {
-    bool moved = false;
-    for (std::size_t v = 0; v < seed_.size(); ++v) {
-      if (seed_[v] == kNone || !census_[v].off()) continue;
-      const Move move = best_reach(static_cast<Index>(v), share);
-      if (move.empty()) continue;
-      apply(move, none);
-      ++counts_.reached;
-      moved = true;
+    std::fill(changed.begin(), changed.end(), 1);
+    for (bool moved = true; moved;) {
+      moved = false;
+      for (std::size_t v = 0; v < seed_.size(); ++v) {
+        if (seed_[v] == kNone || !changed[v] || !census_[v].off()) continue;
+        changed[v] = 0;
+        const Move move = best_reach(static_cast<Index>(v), share);
+        if (move.empty()) continue;
+        apply(move, none);
+        ++counts_.reached;
+        moved = true;
+        std::vector<Index> corners;
+        for (Index t : move)
+          corners.insert(corners.end(), mesh_.tets.corners[t].begin(), mesh_.tets.corners[t].end());
+        unique_sorted(corners);
+        for (Index corner : corners) {
+          census(corner);
+          for (Index t : star_)
+            for (Index w : mesh_.tets.corners[t])
+              if (w != kNone) changed[w] = 1;
+        }
+      }
     }
-    if (moved) continue;
     if (share == 1) break;
     share = std::min(1.0, 2 * share);
   }

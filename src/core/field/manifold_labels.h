@@ -82,6 +82,7 @@ class ManifoldLabels {
   bool allowed(const Move& move) const;
   bool grows(const Move& move) const;
   double flip_cost(Index t) const;
+  double least_cost(const Move& move, double piece);
   Effect effect(const Move& move);
   void apply(const Move& move, std::vector<Index>& singular);
   Move bridge(Index v, const std::vector<Index>& star, std::size_t begin, std::size_t end);
@@ -95,8 +96,8 @@ class ManifoldLabels {
   const LabelCosts& costs_;
   std::vector<char>& inside_;
   LabelCounts counts_;
-  double site_cost_ = 0;      // the mean of costs_.off
-  std::vector<Index> seed_;   // a tetrahedron at each site
+  double site_cost_ = 0;     // the mean of costs_.off
+  std::vector<Index> seed_;  // a tetrahedron at each site
   std::vector<Census> census_;
   std::vector<char> exempt_;  // [site]: need not be repaired
   // Of the last census: the star, piece by piece, and where each piece starts in it, and the end.
