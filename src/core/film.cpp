@@ -12,7 +12,8 @@
 #include "triangle_adjacency.h"
 
 namespace filmsticking {
-GuidingSurface film_of_sites(std::vector<Corners> triangles, const std::vector<Vec3>& sites) {
+
+GuidingSurface unsorted_film_of_sites(std::vector<Corners> triangles, const std::vector<Vec3>& sites) {
   GuidingSurface film;
   std::vector<Index> vertex(sites.size(), kNone);
   for (const Corners& t : triangles)
@@ -23,12 +24,16 @@ GuidingSurface film_of_sites(std::vector<Corners> triangles, const std::vector<V
       film.positions.push_back(sites[s]);
       film.site.push_back(static_cast<Index>(s));
     }
-  for (Corners& t : triangles) {
+  for (Corners& t : triangles)
     for (Index& s : t) s = vertex[s];
-    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  }
-  std::sort(triangles.begin(), triangles.end());
   film.triangles = std::move(triangles);
+  return film;
+}
+
+GuidingSurface film_of_sites(std::vector<Corners> triangles, const std::vector<Vec3>& sites) {
+  GuidingSurface film = unsorted_film_of_sites(std::move(triangles), sites);
+  for (Corners& t : film.triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  std::sort(film.triangles.begin(), film.triangles.end());
   return film;
 }
 

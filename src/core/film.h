@@ -19,6 +19,9 @@ namespace filmsticking {
 GuidingSurface film_step(const GuidingSurface& film, const PowerDiagram& diagram, RingChoice ring,
                          RepairCounts& counts);
 
+/// A film from triangles of sites, in the order in which they come.
+GuidingSurface unsorted_film_of_sites(std::vector<Corners> triangles, const std::vector<Vec3>& sites);
+
 /// A film from triangles of sites, in a canonical order.
 GuidingSurface film_of_sites(std::vector<Corners> triangles, const std::vector<Vec3>& sites);
 

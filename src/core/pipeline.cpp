@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -73,13 +75,18 @@ double Pipeline::Candidate::score() const {
              sites;
 }
 
-void Pipeline::prepare() {
-  monitor_.enter("triangulation", 0.02);
-  const DelaunayTriangulation triangulation(sites_.perturbed);
-  if (options_.initial_surface != InitialSurface::Carve) voronoi_ = triangulation.voronoi();
-  mesh_ = make_tetrahedral_mesh(triangulation.tetrahedra(), sites_.perturbed);
+void Pipeline::prepare(std::unique_ptr<DelaunayTriangulation> triangulation) {
+  if (options_.initial_surface != InitialSurface::Carve) voronoi_ = triangulation->voronoi();
+  Tetrahedra tetrahedra = triangulation->tetrahedra();
+  triangulation.reset();  // it is large
+  mesh_ = make_tetrahedral_mesh(std::move(tetrahedra), sites_.perturbed);
   monitor_.enter("local evidence", 0.15);
-  evidence_ = facet_evidence(mesh_, sites_.perturbed, geometry_);
+  // The first belief's carving is one long thread of work that the evidence can run beside.
+  const auto evidence = [&] { evidence_ = facet_evidence(mesh_, sites_.perturbed, geometry_); };
+  const auto guess = [&] {
+    if (options_.initial_surface == InitialSurface::Carve) guess_ = carve_belief(2, kInsideSlope);
+  };
+  tbb::parallel_invoke(guess, evidence);
 }
 
 void Pipeline::show(const GuidingSurface& film) const {
@@ -135,7 +142,7 @@ Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conv
   LabelCosts costs{evidence_.cost, std::vector<double>(mesh_.size()), std::vector<double>(n)};
   parallel_each(mesh_.size(), [&](std::size_t t) {
     const auto& area = evidence_.area[t];
-    costs.hold[t] = conviction * (area[0] + area[1] + area[2] + area[3]) * belief[t];
+    costs.hold[t] = conviction * (double{area[0]} + area[1] + area[2] + area[3]) * belief[t];
   });
   for (std::size_t v = 0; v < n; ++v) {
     const double spacing = std::min(geometry_.spacing[v], near_spacing(geometry_, static_cast<Index>(v)));
@@ -181,8 +188,12 @@ Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conv
   manifold.warp(aim);
   if (options_.insert_leftover) manifold.reach();
   candidate.inserted = manifold.counts().reached;
-  candidate.film = film_of_sites(tetrahedral_boundary(mesh_, labels), sites_.perturbed);
+  candidate.film = unsorted_film_of_sites(tetrahedral_boundary(mesh_, labels), sites_.perturbed);
   if (options_.open_boundary) remove_bridges(candidate.film, geometry_);
+  return candidate;
+}
+
+Pipeline::Candidate Pipeline::judged(Candidate candidate) const {
   candidate.quality = film_quality(candidate.film, geometry_);
   return candidate;
 }
@@ -224,12 +235,13 @@ bool Pipeline::settled(const Candidate& candidate) const {
 // where there is no telling inside from outside (open surfaces), by the film from the sphere.
 Pipeline::Candidate Pipeline::carve() {
   monitor_.enter("signed field", 0.25);
-  Candidate best = cut(signed_field(mesh_, evidence_, carve_belief(2, kInsideSlope)), kConviction);
+  Candidate best = cut(signed_field(mesh_, evidence_, std::move(guess_)), kConviction);
   if (best.weak <= kLittleTrouble && !best.film.triangles.empty()) return best;
+  best = judged(std::move(best));
   if (best.weak > kNoInside) {
     monitor_.enter("two sides", monitor_.share());
-    Candidate sides = cut(two_sides(mesh_, sites_.perturbed, evidence_, geometry_), kSidesConviction,
-                          options_.open_boundary);
+    Candidate sides = judged(cut(two_sides(mesh_, sites_.perturbed, evidence_, geometry_), kSidesConviction,
+                                 options_.open_boundary));
     // A plain open surface: nothing else can be better, and all else takes long there.
     const bool plain =
         sides.weak <= kLittleTrouble &&
@@ -241,7 +253,7 @@ Pipeline::Candidate Pipeline::carve() {
   }
   for (const double width : kCarveWidths) {
     monitor_.enter("carving", monitor_.share());
-    Candidate other = cut(carve_belief(width, kCarveSlope), kConviction);
+    Candidate other = judged(cut(carve_belief(width, kCarveSlope), kConviction));
     if (other.score() < best.score()) best = std::move(other);
   }
   const auto enough = static_cast<std::int64_t>(kMuchTrouble * static_cast<double>(sites_.size()));
@@ -321,15 +333,15 @@ void Pipeline::rounds(Candidate& best) {
     monitor_.enter("field", 0.5 + 0.45 * round / options_.max_rounds);
     const std::vector<double> belief = film_belief(best.film);
     // Poisson's surface is taken as it is; only sculpting weighs it against the evidence.
-    Candidate next = cut(belief, options_.field == FieldMethod::Poisson ? 1e6 : kConviction);
+    Candidate next = judged(cut(belief, options_.field == FieldMethod::Poisson ? 1e6 : kConviction));
     // One round is what the paper does, better or not by our own measure; more must earn their keep.
     if (next.film.triangles.empty() || (round > 0 && !(next.score() < best.score()))) break;
     best = std::move(next);
   }
 }
 
-GuidingSurface Pipeline::run() {
-  prepare();
+GuidingSurface Pipeline::run(std::unique_ptr<DelaunayTriangulation> triangulation) {
+  prepare(std::move(triangulation));
   Candidate best;
   if (options_.initial_surface == InitialSurface::Carve) {
     best = carve();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "field/facet_evidence.h"
@@ -22,8 +23,8 @@ class Pipeline {
   Pipeline(const SiteSet& sites, const SiteGeometry& geometry, const Options& options, Monitor& monitor,
            Report& report);
 
-  /// Closed manifold of sites, or empty.
-  GuidingSurface run();
+  /// Closed manifold of sites, or empty. `triangulation`: of the perturbed sites.
+  GuidingSurface run(std::unique_ptr<DelaunayTriangulation> triangulation);
 
  private:
   struct Candidate {
@@ -34,7 +35,7 @@ class Pipeline {
     double score() const;  ///< lower is better
   };
 
-  void prepare();
+  void prepare(std::unique_ptr<DelaunayTriangulation> triangulation);
   std::vector<std::function<GuidingSurface()>> first_surfaces() const;
   GuidingSurface film_from_outside();
   void show(const GuidingSurface& film) const;
@@ -45,6 +46,7 @@ class Pipeline {
   std::vector<double> carve_belief(double limit, double slope) const;
   std::vector<double> winding_belief(const GuidingSurface& film) const;
   std::vector<double> film_belief(const GuidingSurface& film) const;
+  Candidate judged(Candidate candidate) const;
   bool settled(const Candidate& candidate) const;
   Candidate carve();
   void rounds(Candidate& best);
@@ -57,6 +59,7 @@ class Pipeline {
   PowerDiagram voronoi_;
   TetrahedralMesh mesh_;
   FacetEvidence evidence_;
+  std::vector<double> guess_;  // the belief that the signed field starts from
 };
 
 }  // namespace filmsticking

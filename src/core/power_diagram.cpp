@@ -2,20 +2,22 @@
 #include "power_diagram.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Delaunay_triangulation_cell_base_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Regular_triangulation_3.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <algorithm>
 #include <utility>
+
+#include "parallel.h"
 
 namespace filmsticking {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>;
-using Cell = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
+using Cell = CGAL::Triangulation_cell_base_with_info_3<Index, Kernel>;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
 
 using RegularVertex =
@@ -103,19 +105,22 @@ PowerDiagram DelaunayTriangulation::voronoi() const {
 
 Tetrahedra DelaunayTriangulation::tetrahedra() const {
   Tetrahedra tets;
-  CGAL::Unique_hash_map<Delaunay::Cell_handle, Index> index;
-  tets.corners.reserve(impl_->triangulation.number_of_cells());
-  for (auto c : impl_->triangulation.all_cell_handles()) {
-    index[c] = static_cast<Index>(tets.corners.size());
-    std::array<Index, 4> corners;
-    for (int k = 0; k < 4; ++k)
-      corners[k] = impl_->triangulation.is_infinite(c->vertex(k)) ? kNone : c->vertex(k)->info();
-    tets.corners.push_back(corners);
+  const auto& triangulation = impl_->triangulation;
+  std::vector<Delaunay::Cell_handle> cells;
+  cells.reserve(triangulation.number_of_cells());
+  for (auto c : triangulation.all_cell_handles()) {
+    c->info() = static_cast<Index>(cells.size());
+    cells.push_back(c);
   }
-  tets.neighbours.reserve(tets.corners.size());
-  for (auto c : impl_->triangulation.all_cell_handles())
-    tets.neighbours.push_back(
-        {index[c->neighbor(0)], index[c->neighbor(1)], index[c->neighbor(2)], index[c->neighbor(3)]});
+  tets.corners.resize(cells.size());
+  tets.neighbours.resize(cells.size());
+  parallel_each(cells.size(), [&](std::size_t t) {
+    for (int k = 0; k < 4; ++k) {
+      const auto v = cells[t]->vertex(k);
+      tets.corners[t][k] = triangulation.is_infinite(v) ? kNone : v->info();
+      tets.neighbours[t][k] = cells[t]->neighbor(k)->info();
+    }
+  });
   return tets;
 }
 

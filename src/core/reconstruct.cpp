@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filmsticking/reconstruct.h"
 
+#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <new>
-#include <numeric>
 
 #include "monitor.h"
 #include "open_surface.h"
 #include "orientation.h"
 #include "outliers.h"
+#include "parallel.h"
 #include "pipeline.h"
 #include "site_set.h"
 #include "triangle_adjacency.h"
@@ -54,25 +56,34 @@ Status check_given_surface(const Options& o) {
 // Sites to input ids in rising order; triangles turned to their least corner and sorted.
 void write_result(const GuidingSurface& film, const std::vector<float>& gaps, const SiteSet& sites,
                   Result& result) {
-  std::vector<Index> order(film.site.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [&](Index a, Index b) { return sites.input[film.site[a]] < sites.input[film.site[b]]; });
-  std::vector<Index> vertex(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    vertex[order[k]] = static_cast<Index>(k);
-    result.vertices.push_back(sites.input[film.site[order[k]]]);
-  }
-  std::vector<std::pair<Triangle, float>> faces;
-  faces.reserve(film.triangles.size());
-  for (std::size_t t = 0; t < film.triangles.size(); ++t) {
+  // Sorting by counting: the ids and the least corners are small numbers.
+  std::vector<Index> vertex(static_cast<std::size_t>(result.report.points), kNone);
+  for (Index s : film.site) vertex[sites.input[s]] = 0;
+  for (std::size_t i = 0; i < vertex.size(); ++i)
+    if (vertex[i] != kNone) {
+      vertex[i] = static_cast<Index>(result.vertices.size());
+      result.vertices.push_back(static_cast<std::int32_t>(i));
+    }
+  std::vector<Corners> turned(film.triangles.size());
+  parallel_each(turned.size(), [&](std::size_t t) {
     Corners c = film.triangles[t];
-    for (Index& v : c) v = vertex[v];
+    for (Index& v : c) v = vertex[sites.input[film.site[v]]];
     std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-    faces.emplace_back(c, gaps[t]);
-  }
-  std::sort(faces.begin(), faces.end());
-  for (const auto& [triangle, gap] : faces) result.triangles.push_back(triangle), result.gaps.push_back(gap);
+    turned[t] = c;
+  });
+  std::vector<Index> offset(result.vertices.size() + 1, 0), order(turned.size());
+  for (const Corners& c : turned) ++offset[c[0] + 1];
+  for (std::size_t v = 1; v < offset.size(); ++v) offset[v] += offset[v - 1];
+  std::vector<Index> fill(offset.begin(), offset.end() - 1);
+  for (std::size_t t = 0; t < turned.size(); ++t) order[fill[turned[t][0]]++] = static_cast<Index>(t);
+  result.triangles.resize(turned.size());
+  result.gaps.resize(turned.size());
+  parallel_each(result.vertices.size(), [&](std::size_t v) {
+    std::sort(order.begin() + offset[v], order.begin() + offset[v + 1],
+              [&](Index a, Index b) { return turned[a] < turned[b]; });
+    for (Index k = offset[v]; k < offset[v + 1]; ++k)
+      result.triangles[k] = turned[order[k]], result.gaps[k] = gaps[order[k]];
+  });
 }
 
 // The number of closed loops of edges with one face. Of a manifold, which has one loop end at a vertex.
@@ -93,7 +104,8 @@ std::int64_t boundary_loops(const std::vector<Index>& twin) {
 void describe_result(Result& result) {
   Report& report = result.report;
   const Index vertices = static_cast<Index>(result.vertices.size());
-  const ManifoldCheck check = check_manifold(result.triangles, vertices);
+  std::vector<Index> twin;
+  const ManifoldCheck check = check_manifold(result.triangles, vertices, &twin);
   report.closed = check.closed;
   report.manifold = check.manifold();
   report.boundary_edges = check.boundary_edges;
@@ -101,7 +113,6 @@ void describe_result(Result& result) {
   report.triangles = static_cast<std::int64_t>(result.triangles.size());
   if (!report.manifold) return;
   std::vector<Index> component;
-  const std::vector<Index> twin = half_edge_twins(result.triangles, vertices);
   report.components = connected_components(twin, component);
   report.boundary_loops = boundary_loops(twin);
   const std::int64_t edges = (3 * report.triangles + report.boundary_edges) / 2;
@@ -130,11 +141,16 @@ void run(const std::vector<Point>& points, const Options& options, const Executi
                     std::to_string(sites.size()));
   if (sites.coplanar()) return fail(result, Status::Coplanar, describe(Status::Coplanar));
 
-  monitor.enter("outliers", 0.01);
-  SiteGeometry geometry = site_geometry(sites.perturbed);
+  monitor.enter("triangulation", 0.02);
+  // Outliers are rare: the triangulation does not wait for the search for them, but is made again.
+  SiteGeometry geometry;
+  std::unique_ptr<DelaunayTriangulation> triangulation;
+  tbb::parallel_invoke([&] { triangulation = std::make_unique<DelaunayTriangulation>(sites.perturbed); },
+                       [&] { geometry = site_geometry(sites.perturbed); });
   if (!options.keep_outliers) report.outliers = drop_outliers(sites, geometry);
+  if (report.outliers > 0) triangulation = std::make_unique<DelaunayTriangulation>(sites.perturbed);
 
-  GuidingSurface film = Pipeline(sites, geometry, options, monitor, report).run();
+  GuidingSurface film = Pipeline(sites, geometry, options, monitor, report).run(std::move(triangulation));
   if (film.triangles.empty()) return fail(result, Status::NoSurface, describe(Status::NoSurface));
   monitor.enter("result", 0.97);
   std::vector<Point> places;

@@ -2,6 +2,9 @@
 #include "triangle_adjacency.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "parallel.h"
 
 namespace filmsticking {
 namespace {
@@ -22,24 +25,36 @@ struct OutgoingHalfEdges {
 
 Index target(const std::vector<Corners>& triangles, Index h) { return triangles[h / 3][next_in_face(h) % 3]; }
 
+// How often an edge is run along the other way, and this way, from half-edge h; and the last that runs back.
+struct EdgeUse {
+  Index back = kNone;
+  int opposite = 0, same = 0;
+};
+
+EdgeUse use_of(const std::vector<Corners>& triangles, const OutgoingHalfEdges& out, Index h) {
+  const Index a = triangles[h / 3][h % 3], b = target(triangles, h);
+  EdgeUse use;
+  for (Index k = out.offset[b]; k < out.offset[b + 1]; ++k)
+    if (target(triangles, out.half_edge[k]) == a) use.back = out.half_edge[k], ++use.opposite;
+  for (Index k = out.offset[a]; k < out.offset[a + 1]; ++k)
+    if (target(triangles, out.half_edge[k]) == b) ++use.same;
+  return use;
+}
+
 }  // namespace
 
 std::vector<Index> half_edge_twins(const std::vector<Corners>& triangles, Index vertex_count) {
   const OutgoingHalfEdges out(triangles, vertex_count);
   std::vector<Index> twin(triangles.size() * 3, kNone);
-  for (Index h = 0; h < static_cast<Index>(twin.size()); ++h) {
-    const Index a = triangles[h / 3][h % 3], b = target(triangles, h);
-    Index found = kNone, count = 0, same = 0;
-    for (Index k = out.offset[b]; k < out.offset[b + 1]; ++k)
-      if (target(triangles, out.half_edge[k]) == a) found = out.half_edge[k], ++count;
-    for (Index k = out.offset[a]; k < out.offset[a + 1]; ++k)
-      if (target(triangles, out.half_edge[k]) == b) ++same;
-    if (count == 1 && same == 1) twin[h] = found;
-  }
+  parallel_each(twin.size(), [&](std::size_t h) {
+    const EdgeUse use = use_of(triangles, out, static_cast<Index>(h));
+    if (use.opposite == 1 && use.same == 1) twin[h] = use.back;
+  });
   return twin;
 }
 
-ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex_count) {
+ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex_count,
+                             std::vector<Index>* twins) {
   ManifoldCheck check;
   for (const Corners& t : triangles) {
     for (Index v : t)
@@ -50,41 +65,30 @@ ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex
     check.edges_simple = check.closed = check.oriented = check.single_rings = false;
     return check;
   }
-  // Undirected edges, sorted: each must appear once in each direction.
-  struct Edge {
-    Index a, b;
-    bool forward;
-  };
-  std::vector<Edge> edges;
-  edges.reserve(triangles.size() * 3);
-  for (const Corners& t : triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index a = t[k], b = t[(k + 1) % 3];
-      edges.push_back({std::min(a, b), std::max(a, b), a < b});
-    }
-  std::sort(edges.begin(), edges.end(), [](const Edge& x, const Edge& y) {
-    return x.a != y.a ? x.a < y.a : x.b != y.b ? x.b < y.b : x.forward < y.forward;
+  const OutgoingHalfEdges out(triangles, vertex_count);
+  std::vector<Index> twin(triangles.size() * 3, kNone);
+  enum : char {
+    kFine,
+    kAlone,
+    kTurned,
+    kCrowded
+  };  // an edge with one face, two that disagree, more than two
+  std::vector<char> state(twin.size(), kFine);
+  parallel_each(twin.size(), [&](std::size_t h) {
+    const EdgeUse use = use_of(triangles, out, static_cast<Index>(h));
+    if (use.opposite == 1 && use.same == 1) twin[h] = use.back;
+    const int faces = use.opposite + use.same;
+    state[h] = faces > 2 ? kCrowded : faces == 1 ? kAlone : use.same == 2 ? kTurned : kFine;
   });
-  for (std::size_t i = 0; i < edges.size();) {
-    std::size_t j = i;
-    while (j < edges.size() && edges[j].a == edges[i].a && edges[j].b == edges[i].b) ++j;
-    if (j - i == 1)
-      ++check.boundary_edges;
-    else if (j - i > 2)
-      check.edges_simple = false;
-    else if (edges[i].forward == edges[i + 1].forward)
-      check.oriented = false;
-    i = j;
-  }
+  check.boundary_edges = std::count(state.begin(), state.end(), kAlone);
+  check.edges_simple = std::count(state.begin(), state.end(), kCrowded) == 0;
+  check.oriented = std::count(state.begin(), state.end(), kTurned) == 0;
   check.closed = check.edges_simple && check.boundary_edges == 0;
   if (!check.edges_simple || !check.oriented) {
     check.single_rings = false;
     return check;
   }
-  const std::vector<Index> twin = half_edge_twins(triangles, vertex_count);
-  std::vector<Index> degree(vertex_count, 0), ring(vertex_count, 0);
-  for (const Corners& t : triangles)
-    for (Index v : t) ++degree[v];
+  std::vector<Index> ring(vertex_count, 0);
   for (Index h = 0; h < static_cast<Index>(twin.size()); ++h) {
     const Index v = triangles[h / 3][h % 3];
     if (ring[v] != 0) continue;
@@ -95,8 +99,9 @@ ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex
       ++ring[v];
       g = twin[prev_in_face(g)];
     } while (g != kNone && g != first);
-    if (ring[v] != degree[v]) check.single_rings = false;
+    if (ring[v] != out.offset[v + 1] - out.offset[v]) check.single_rings = false;
   }
+  if (twins != nullptr) *twins = std::move(twin);
   return check;
 }
 

@@ -28,8 +28,10 @@ struct ManifoldCheck {
 /// twin[h]: the half-edge that runs back along h, or kNone where there is not exactly one.
 std::vector<Index> half_edge_twins(const std::vector<Corners>& triangles, Index vertex_count);
 
-/// Vertices without a face are allowed; a list without faces is not closed.
-ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex_count);
+/// Vertices without a face are allowed; a list without faces is not closed. `twins`: if wanted, and if it is
+/// a manifold, its half_edge_twins().
+ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex_count,
+                             std::vector<Index>* twins = nullptr);
 
 /// Connected components of a manifold: component[t] for every triangle, and their number.
 Index connected_components(const std::vector<Index>& twins, std::vector<Index>& component);

@@ -37,10 +37,18 @@ double gate_width(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
 
 std::vector<double> carve_widths(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
                                  const std::vector<double>& spacing, double least, double most) {
-  std::vector<std::array<double, 4>> gate(mesh.size());
+  least = static_cast<float>(least), most = static_cast<float>(most);  // as the gates are stored
+  std::vector<std::array<float, 4>> gate(mesh.size());
   parallel_each(mesh.size(), [&](std::size_t t) {
     for (int k = 0; k < 4; ++k)
-      gate[t][k] = std::clamp(gate_width(mesh, sites, spacing, static_cast<Index>(t), k), least, most);
+      if (mesh.mirror[t][k] > static_cast<Index>(4 * t) + k)
+        gate[t][k] = static_cast<float>(
+            std::clamp(gate_width(mesh, sites, spacing, static_cast<Index>(t), k), least, most));
+  });
+  parallel_each(mesh.size(), [&](std::size_t t) {
+    for (int k = 0; k < 4; ++k)
+      if (const Index m = mesh.mirror[t][k]; m < static_cast<Index>(4 * t) + k)
+        gate[t][k] = gate[m / 4][m % 4];
   });
   // Widest paths from infinity, by Dijkstra's order; what is as wide as it gets needs no order.
   std::vector<double> width(mesh.size(), least);
@@ -51,7 +59,7 @@ std::vector<double> carve_widths(const TetrahedralMesh& mesh, const std::vector<
   const auto leave = [&](Index t) {
     for (int k = 0; k < 4; ++k) {
       const Index u = mesh.tets.neighbours[t][k];
-      const double through = std::min(width[t], gate[t][k]);
+      const double through = std::min<double>(width[t], gate[t][k]);
       if (!(through > width[u])) continue;
       width[u] = through;
       if (through == most) {

@@ -60,9 +60,9 @@ FacetEvidence facet_evidence(const TetrahedralMesh& mesh, const std::vector<Vec3
         for (Index v : ids)
           votes += crosses(from, along, ray, sites[v], geometry.normal[v], 2 * geometry.spacing[v]);
       }
-      evidence.area[t][k] = area;
+      evidence.area[t][k] = static_cast<float>(area);
       evidence.votes[t][k] = static_cast<signed char>(votes);
-      evidence.cost[t][k] = area * (kVotePrice[votes] + kQualityPrice * quality);
+      evidence.cost[t][k] = static_cast<float>(area * (kVotePrice[votes] + kQualityPrice * quality));
     }
   });
   // Each facet was looked at from its first side; now the second sides, which nobody reads.

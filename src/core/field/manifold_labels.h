@@ -12,9 +12,9 @@ namespace filmsticking {
 
 /// What a labelling of the tetrahedra as inside or outside costs, in units of area.
 struct LabelCosts {
-  const std::vector<std::array<double, 4>>& facet;  ///< [t][k]: to have facet k of t on the surface
-  std::vector<double> hold;                         ///< [t]: > 0 to leave t outside; < 0 to have it inside
-  std::vector<double> off;                          ///< [site]: to leave it off the surface
+  const std::vector<std::array<float, 4>>& facet;  ///< [t][k]: to have facet k of t on the surface
+  std::vector<double> hold;                        ///< [t]: > 0 to leave t outside; < 0 to have it inside
+  std::vector<double> off;                         ///< [site]: to leave it off the surface
 };
 
 /// What was done to a labelling.
@@ -77,6 +77,7 @@ class ManifoldLabels {
 
   int corner(Index t, Index v) const;
   Census census(Index v);
+  bool quick_census(Index v, Census& result) const;
   std::vector<Index> take_census();
   bool singular(Index v) const { return census_[v].surplus() > 0 && !exempt_[v]; }
   bool allowed(const Move& move) const;

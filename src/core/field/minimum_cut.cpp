@@ -47,7 +47,7 @@ class Solver {
   }
 
  private:
-  std::int64_t& capacity(Index arc) { return g_.capacity[arc / 4][arc % 4]; }
+  std::int32_t& capacity(Index arc) { return g_.capacity[arc / 4][arc % 4]; }
   Index mirror(Index arc) const { return g_.mirror[arc / 4][arc % 4]; }
   // Towards the sink along the arc in the source's tree, against it in the sink's.
   std::int64_t outward(int tree, Index arc) { return tree > 0 ? capacity(arc) : capacity(mirror(arc)); }
@@ -92,16 +92,17 @@ class Solver {
     std::int64_t flow = capacity(bridge);
     Index i = bridge / 4;
     for (; parent_[i] != kTerminal; i = mirror(parent_[i]) / 4)
-      flow = std::min(flow, capacity(mirror(parent_[i])));
+      flow = std::min<std::int64_t>(flow, capacity(mirror(parent_[i])));
     flow = std::min(flow, g_.terminal[i]);
     for (i = mirror(bridge) / 4; parent_[i] != kTerminal; i = mirror(parent_[i]) / 4)
-      flow = std::min(flow, capacity(parent_[i]));
+      flow = std::min<std::int64_t>(flow, capacity(parent_[i]));
     flow = std::min(flow, -g_.terminal[i]);
 
-    capacity(bridge) -= flow, capacity(mirror(bridge)) += flow;
+    const auto pushed = static_cast<std::int32_t>(flow);  // no more than a capacity
+    capacity(bridge) -= pushed, capacity(mirror(bridge)) += pushed;
     for (i = bridge / 4; parent_[i] != kTerminal;) {
       const Index up = mirror(parent_[i]), above = up / 4;
-      capacity(parent_[i]) += flow, capacity(up) -= flow;
+      capacity(parent_[i]) += pushed, capacity(up) -= pushed;
       if (capacity(up) == 0) orphan(i);
       i = above;
     }
@@ -109,7 +110,7 @@ class Solver {
     if (g_.terminal[i] == 0) orphan(i);
     for (i = mirror(bridge) / 4; parent_[i] != kTerminal;) {
       const Index down = parent_[i], above = mirror(down) / 4;
-      capacity(down) -= flow, capacity(mirror(down)) += flow;
+      capacity(down) -= pushed, capacity(mirror(down)) += pushed;
       if (capacity(down) == 0) orphan(i);
       i = above;
     }

@@ -13,7 +13,8 @@ namespace filmsticking {
 struct CutGraph {
   /// The arc back along arc k of node t, as 4 * node + arc.
   const std::vector<std::array<Index, 4>>& mirror;
-  std::vector<std::array<std::int64_t, 4>> capacity;  ///< of the arc from node t through k; equal both ways
+  std::vector<std::array<std::int32_t, 4>> capacity;  ///< of the arc from node t through k; equal both ways,
+                                                      ///< 0 to 1e9
   std::vector<std::int64_t> terminal;  ///< > 0: cost of leaving the source's side; < 0: the sink's
 };
 

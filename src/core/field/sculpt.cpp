@@ -7,6 +7,12 @@
 #include "minimum_cut.h"
 
 namespace filmsticking {
+namespace {
+
+// Both capacities of a facet together must fit 32 bits; it is that of 60,000 mean facets.
+constexpr std::int64_t kMostCapacity = 1000000000;
+
+}  // namespace
 
 std::vector<char> sculpt(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
                          const std::vector<double>& hold, bool open) {
@@ -24,7 +30,9 @@ std::vector<char> sculpt(const TetrahedralMesh& mesh, const FacetEvidence& evide
   std::vector<char> fallback(mesh.size());
   for (std::size_t t = 0; t < mesh.size(); ++t) {
     const bool infinite = !open && mesh.tets.infinite(static_cast<Index>(t));
-    for (int k = 0; k < 4; ++k) graph.capacity[t][k] = price(evidence.cost[t][k]);
+    for (int k = 0; k < 4; ++k)
+      graph.capacity[t][k] =
+          static_cast<std::int32_t>(std::min<std::int64_t>(price(evidence.cost[t][k]), kMostCapacity));
     const std::int64_t held = price(std::abs(hold[t]));
     graph.terminal[t] = infinite ? -(std::int64_t(1) << 50) : hold[t] > 0 ? held : -held;
     fallback[t] = !infinite && hold[t] > 0;

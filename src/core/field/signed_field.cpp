@@ -20,18 +20,18 @@ constexpr double kTolerance = 4e-4;
 std::vector<double> signed_field(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
                                  std::vector<double> guess) {
   const std::size_t n = mesh.size();
-  std::vector<std::array<double, 4>> coupling(n);
+  std::vector<std::array<float, 4>> coupling(n);
   std::vector<double> diagonal(n), x = std::move(guess), residual(n), direction(n), image(n);
   const double total = parallel_sum(n, [&](std::size_t t) {
     const auto& a = evidence.area[t];
-    return a[0] + a[1] + a[2] + a[3];
+    return double{a[0]} + a[1] + a[2] + a[3];
   });
   const double unit = total > 0 ? static_cast<double>(4 * n) / total : 1;
   auto given = [&](std::size_t t) { return mesh.tets.infinite(static_cast<Index>(t)); };
   parallel_each(n, [&](std::size_t t) {
     diagonal[t] = 1e-9;
     for (int k = 0; k < 4; ++k) {
-      coupling[t][k] = kCoupling[evidence.votes[t][k]] * evidence.area[t][k] * unit;
+      coupling[t][k] = static_cast<float>(kCoupling[evidence.votes[t][k]] * evidence.area[t][k] * unit);
       diagonal[t] += std::abs(coupling[t][k]);
     }
     if (given(t)) x[t] = -1;

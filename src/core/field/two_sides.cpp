@@ -155,7 +155,7 @@ std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec
                                      (sites[l] - sites[i]).squaredNorm()});
       const double sample = spacing * spacing, near = std::min(1.0, kNear * kNear * sample / edge2);
       weight[4 * t + k] =
-          kCoupling[evidence.votes[t][k]] * std::min(evidence.area[t][k], sample) * near * near;
+          kCoupling[evidence.votes[t][k]] * std::min<double>(evidence.area[t][k], sample) * near * near;
     }
   });
   SignedClusters clusters = Contraction(mesh, std::move(weight)).run();
