@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 
@@ -61,6 +63,22 @@ int euler_characteristic(const Mesh& mesh) {  // of a closed mesh
   return static_cast<int>(mesh.positions.size()) - faces * 3 / 2 + faces;
 }
 
+int count_components(const Mesh& mesh) {
+  std::vector<int> parent(mesh.positions.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int vertex) {
+    while (parent[vertex] != vertex) vertex = parent[vertex] = parent[parent[vertex]];
+    return vertex;
+  };
+  for (const Triangle& t : mesh.triangles) {
+    parent[root(t[0])] = root(t[1]);
+    parent[root(t[1])] = root(t[2]);
+  }
+  int roots = 0;
+  for (std::size_t i = 0; i < parent.size(); ++i) roots += parent[i] == static_cast<int>(i) ? 1 : 0;
+  return roots;
+}
+
 TEST(Clouds, PointsLieOnTheSurfaceInFloatsAndNoneTwice) {
   const Point size = {1, 0.7, 2};
   const Mesh box = make_box(size);
@@ -83,7 +101,7 @@ TEST(Clouds, SameSeedSamePointsOtherSeedOtherPoints) {
   const Mesh sphere = make_shape("sphere", 1);
   for (const Sampling sampling : kSamplings) {
     CloudSpec spec = spec_of(sampling, 500, 3);
-    spec.noise = 0.01;
+    spec.noise.deviation = 0.01;
     spec.outliers = 0.1;
     spec.missing = 0.2;
     const std::vector<Point> points = make_cloud(sphere, spec);
@@ -136,16 +154,21 @@ TEST(Clouds, MixedDensityIsAsFourToTwoToOne) {
 
 TEST(Clouds, NoiseHasItsDeviation) {
   CloudSpec spec = spec_of(Sampling::MonteCarlo, 20000);
-  spec.noise = 0.005;
-  const double sigma = spec.noise * 2 * std::sqrt(3.0);  // the sphere's box has sides of 2
-  double sum = 0, squares = 0;
-  for (const Point& p : make_cloud(make_shape("sphere", 1), spec)) {
-    const double off = norm(p) - 1;
-    sum += off;
-    squares += off * off;
-  }
-  EXPECT_NEAR(std::sqrt(squares / 20000), sigma, 0.05 * sigma);
-  EXPECT_NEAR(sum / 20000, 0, 0.1 * sigma);
+  const Mesh sphere = make_shape("sphere", 1);
+  const auto expect_deviation = [&](double sigma) {
+    double sum = 0, squares = 0;
+    for (const Point& p : make_cloud(sphere, spec)) {
+      const double off = norm(p) - 1;
+      sum += off;
+      squares += off * off;
+    }
+    EXPECT_NEAR(std::sqrt(squares / 20000), sigma, 0.05 * sigma);
+    EXPECT_NEAR(sum / 20000, 0, 0.1 * sigma);
+  };
+  spec.noise = {0.005, false};
+  expect_deviation(0.005 * 2 * std::sqrt(3.0));  // the sphere's box has sides of 2
+  spec.noise = {0.5, true};
+  expect_deviation(0.5 * std::sqrt(4 * M_PI / 20000));
 }
 
 TEST(Clouds, OutliersHaveTheirShareAndStayInTheBox) {
@@ -195,27 +218,75 @@ TEST(Clouds, WhatCannotBeSampledIsRefused) {
   spec.missing = 1;
   EXPECT_THROW(make_cloud(make_box({1, 1, 1}), spec), std::invalid_argument);
   spec = CloudSpec();
-  spec.noise = NAN;
+  spec.noise.deviation = NAN;
   EXPECT_THROW(make_cloud(make_box({1, 1, 1}), spec), std::invalid_argument);
 }
 
-TEST(Shapes, AreClosedAndOutward) {
-  for (const char* name : {"sphere", "torus", "slab:0.5"}) {
-    const Mesh mesh = make_shape(name, 20000);
-    EXPECT_EQ(test::surface_fault(mesh), "") << name;
-    EXPECT_GT(test::signed_volume(mesh), 0) << name;
-    EXPECT_EQ(euler_characteristic(mesh), name == std::string("torus") ? 0 : 2) << name;
+TEST(Shapes, AreClosedAndOutwardWithTheirTopology) {
+  struct Known {
+    const char* name;
+    int components, genus;
+  };
+  for (const Known& known : {Known{"sphere", 1, 0},
+                             {"torus", 1, 1},
+                             {"slab:0.5", 1, 0},
+                             {"shell:0.5", 1, 0},
+                             {"relief:1", 1, 0},
+                             {"mouth:4", 1, 0},
+                             {"bottle:4", 1, 0},
+                             {"nested", 3, 0},
+                             {"chain:2", 5, 5},
+                             {"lattice:2", 1, 54 - 27 + 1}}) {
+    const Mesh mesh = make_shape(known.name, 5000);
+    EXPECT_EQ(test::surface_fault(mesh), "") << known.name;
+    EXPECT_GT(test::signed_volume(mesh), 0) << known.name;
+    EXPECT_EQ(count_components(mesh), known.components) << known.name;
+    EXPECT_EQ(euler_characteristic(mesh), 2 * known.components - 2 * known.genus) << known.name;
   }
 }
 
-TEST(Shapes, ASlabIsAsThickAsSoManySpacings) {
-  for (const double k : {0.5, 1.0, 3.0}) {
-    const Mesh slab = make_shape("slab:" + std::to_string(k), 20000);
-    const double thickness = slab.positions.back()[2];
-    EXPECT_NEAR(thickness, k * std::sqrt(SurfaceSampler(slab).area() / 20000), 1e-9);
+TEST(Shapes, AreAsWideAsSoManySpacings) {
+  const auto upper = [](const Mesh& mesh) {  // the first corner of a plate's upper side
+    return mesh.positions[mesh.positions.size() / 2];
+  };
+  const auto least = [](const Mesh& mesh, const auto& measure) {
+    double found = INFINITY;
+    for (const Point& p : mesh.positions) found = std::min(found, measure(p));
+    return found;
+  };
+  const auto to_axis = [](const Point& p) { return 2 * std::hypot(p[0], p[1]) + (p[2] > 0 ? 0 : 9); };
+  struct Sized {
+    const char* family;
+    std::function<double(const Mesh&)> size;
+    double tolerance;
+  };
+  const Sized families[] = {
+      {"slab", [&](const Mesh& mesh) { return upper(mesh)[2]; }, 1e-3},
+      {"relief", [&](const Mesh& mesh) { return upper(mesh)[2]; }, 1e-3},
+      {"shell", [&](const Mesh& mesh) { return norm(upper(mesh)) - 1; }, 1e-3},
+      {"mouth", [&](const Mesh& mesh) { return least(mesh, to_axis); }, 0.05},
+      {"bottle", [&](const Mesh& mesh) { return least(mesh, to_axis); }, 0.05},
+      // The first ring and the first tube, seen from their middle lines; no tubes cross there.
+      {"chain", [&](const Mesh& mesh) { return -1 - least(mesh, [](const Point& p) { return p[0]; }); },
+       0.05},
+      {"lattice",
+       [&](const Mesh& mesh) {
+         return -least(mesh, [](const Point& p) { return std::abs(p[0] - 0.5) < 0.1 ? p[1] : 0; });
+       },
+       0.05}};
+  for (const Sized& sized : families) {
+    const Mesh mesh = make_shape(std::string(sized.family) + ":2", 5000);
+    const double wanted = 2 * std::sqrt(SurfaceSampler(mesh).area() / 5000);
+    EXPECT_NEAR(sized.size(mesh), wanted, sized.tolerance * wanted) << sized.family;
   }
-  for (const char* name : {"slab:", "slab:0", "slab:-1", "slab:x", "slab:1x", "slab:nan", "slab:inf"})
+}
+
+TEST(Shapes, WhatCannotBeMadeIsRefused) {
+  for (const char* name :
+       {"slab:", "slab:0", "slab:-1", "slab:x", "slab:1x", "slab:nan", "slab:inf", "slab", "plate:1"})
     EXPECT_THROW(make_shape(name, 1000), std::invalid_argument) << name;
+  EXPECT_THROW(make_shape("chain:3", 100), std::invalid_argument);      // no room within the rings
+  EXPECT_THROW(make_shape("mouth:1e-3", 1000), std::invalid_argument);  // finer than memory allows
 }
 
 }  // namespace

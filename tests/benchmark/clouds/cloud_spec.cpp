@@ -31,7 +31,7 @@ std::string CloudSpec::kind() const {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << name_of(sampling);
-  if (noise > 0) text << " noise " << noise;
+  if (noise.deviation > 0) text << " noise " << noise.deviation << (noise.in_spacings ? "s" : "");
   if (outliers > 0) text << " outliers " << outliers;
   if (missing > 0) text << " missing " << missing;
   return text.str();

@@ -18,12 +18,19 @@ const char* name_of(Sampling sampling);
 /// Throws std::invalid_argument, whose what() tells the names that there are.
 Sampling sampling_of(const std::string& name);
 
+/// Gaussian, along each axis.
+struct Noise {
+  double deviation = 0;
+  bool in_spacings =
+      false;  ///< of sqrt(area / points) of what is sampled; else of the diagonal of the mesh's box
+};
+
 /// How a cloud is made from a mesh. The same values give the same points.
 struct CloudSpec {
   Sampling sampling = Sampling::MonteCarlo;
   std::int64_t points = 10000;  ///< in all, outliers included; at least 1
   std::uint64_t seed = 1;
-  double noise = 0;     ///< standard deviation along each axis, as a share of the diagonal of the mesh's box
+  Noise noise;
   double outliers = 0;  ///< share of the points that are uniform in that box instead, 0 to 1
   double missing = 0;   ///< share of the surface that is not sampled, in round patches, 0 to 0.9
 

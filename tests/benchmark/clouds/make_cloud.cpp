@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "make_cloud.h"
 
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -16,7 +17,8 @@ constexpr std::int64_t kMostPoints = 100'000'000;
 void check(const CloudSpec& spec) {
   if (spec.points < 1 || spec.points > kMostPoints)
     throw std::invalid_argument("a cloud has from 1 to " + std::to_string(kMostPoints) + " points");
-  if (!(spec.noise >= 0 && spec.noise <= 1)) throw std::invalid_argument("the noise is a share from 0 to 1");
+  if (!(spec.noise.deviation >= 0 && spec.noise.deviation <= 1))
+    throw std::invalid_argument("the noise is a share from 0 to 1");
   if (!(spec.outliers >= 0 && spec.outliers <= 1))
     throw std::invalid_argument("the outliers are a share from 0 to 1");
   if (!(spec.missing >= 0 && spec.missing <= 0.9))
@@ -53,7 +55,8 @@ std::vector<Point> make_cloud(const Mesh& mesh, const CloudSpec& spec) {
   const auto total = static_cast<std::size_t>(spec.points);
   const std::vector<Sample> samples = draw_samples(surface, spec.sampling, total - outliers, random);
 
-  const double sigma = spec.noise * surface.diagonal();
+  const double spacing = std::sqrt(surface.area() / static_cast<double>(total));
+  const double sigma = spec.noise.deviation * (spec.noise.in_spacings ? spacing : surface.diagonal());
   const auto placed = [&](Vec3 p) {
     if (sigma > 0)
       for (int k = 0; k < 3; ++k) p[k] += sigma * random.gauss();

@@ -7,7 +7,7 @@ std::vector<CloudPlan> list_clouds(const CommandLine& command) {
   const std::vector<Input> inputs = make_inputs(command.inputs);
   std::vector<CloudPlan> plans;
   for (const Sampling sampling : command.samplings)
-    for (const double noise : command.noise)
+    for (const Noise& noise : command.noise)
       for (const double outliers : command.outliers)
         for (const double missing : command.missing)
           for (const std::int64_t points : command.points)

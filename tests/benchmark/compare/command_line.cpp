@@ -33,8 +33,9 @@ po::options_description options(CommandLine& command, Lists& lists) {
       "only such rows of a .tsv table; repeatable")(
       "points", text(&lists.points, "N,.."), "how many, like 10K; speed: default 10K,50K,100K,200K,500K,1M")(
       "sampling", text(&lists.sampling, "S,.."), "monte-carlo (default), poisson-disk, mixed-density")(
-      "seeds", text(&lists.seeds, "N,.."), "default 1")(
-      "noise", text(&lists.noise, "X,.."), "Gaussian, its deviation as a share of the diagonal; default 0")(
+      "seeds", text(&lists.seeds, "N,.."), "default 1")("noise", text(&lists.noise, "X,.."),
+                                                        "Gaussian, its deviation as a share of the diagonal, "
+                                                        "or with an s behind it, of the spacing; default 0")(
       "outliers", text(&lists.outliers, "X,.."), "share of the points; default 0")(
       "missing", text(&lists.missing, "X,.."), "share of the surface, in round patches; default 0");
 
@@ -110,6 +111,17 @@ std::vector<double> shares(const std::string& list, const std::string& option) {
   return values;
 }
 
+std::vector<Noise> noises(const std::string& list) {
+  std::vector<Noise> values;
+  for (std::string word : split(list)) {
+    const bool in_spacings = word.back() == 's';
+    if (in_spacings) word.pop_back();
+    values.push_back({shares(word, "noise").front(), in_spacings});
+  }
+  if (values.empty()) throw UsageError("--noise needs a value");
+  return values;
+}
+
 CommandLine::Mode mode_of(const std::string& word) {
   if (word == "quality") return CommandLine::Mode::Quality;
   if (word == "speed") return CommandLine::Mode::Speed;
@@ -140,7 +152,7 @@ void read_lists(CommandLine& command, const Lists& lists) {
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
-  command.noise = shares(lists.noise, "noise");
+  command.noise = noises(lists.noise);
   command.outliers = shares(lists.outliers, "outliers");
   command.missing = shares(lists.missing, "missing");
   if (command.points.empty() || command.seeds.empty() || command.samplings.empty())
@@ -206,7 +218,7 @@ std::string usage() {
          "       compare speed INPUT [options]           ours beside Delaunay and advancing front, by size\n"
          "       compare sheet INPUT.. -o OUT.png        pictures: a row a cloud, a column a method\n"
          "       compare sample INPUT -o CLOUD.ply       the cloud alone\n\n"
-         "An INPUT is a mesh to sample, a cloud, or one of the shapes sphere, torus and slab:K.\n\n"
+         "An INPUT is a mesh to sample, a cloud, or one of the shapes that the README lists.\n\n"
       << options(command, lists);
   return out.str();
 }

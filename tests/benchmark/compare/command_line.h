@@ -21,7 +21,8 @@ struct CommandLine {
   std::vector<Sampling> samplings;
   std::vector<std::int64_t> points;
   std::vector<std::uint64_t> seeds;
-  std::vector<double> noise, outliers, missing;
+  std::vector<Noise> noise;
+  std::vector<double> outliers, missing;
 
   int threads = 0;
   int jobs = 1;

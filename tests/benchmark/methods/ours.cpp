@@ -29,4 +29,10 @@ Outcome run_ours_paper(const std::vector<Point>& points, int threads) {
   return run(points, Options::paper(), threads);
 }
 
+Outcome run_ours_open(const std::vector<Point>& points, int threads) {
+  Options options;
+  options.open_boundary = true;
+  return run(points, options, threads);
+}
+
 }  // namespace filmsticking::bench
