@@ -3,6 +3,7 @@
 
 #include <tbb/parallel_invoke.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -135,19 +136,24 @@ Pipeline::Candidate Pipeline::finish(GuidingSurface film) {
   return candidate;
 }
 
+std::vector<double> Pipeline::off_prices() const {
+  std::vector<double> prices(sites_.size());
+  for (std::size_t v = 0; v < prices.size(); ++v) {
+    const double spacing = std::min(geometry_.spacing[v], near_spacing(geometry_, static_cast<Index>(v)));
+    prices[v] = kOffPrice * spacing * spacing;
+  }
+  return prices;
+}
+
 // The surface of a cut by a belief, made manifold. The first cut that keeps most sites gives the topology;
 // later ones, by growing conviction around the sites left off, where it should go.
 Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conviction, bool open) {
   const std::size_t n = sites_.size();
-  LabelCosts costs{evidence_.cost, std::vector<double>(mesh_.size()), std::vector<double>(n)};
+  LabelCosts costs{evidence_.cost, std::vector<double>(mesh_.size()), off_prices()};
   parallel_each(mesh_.size(), [&](std::size_t t) {
     const auto& area = evidence_.area[t];
     costs.hold[t] = conviction * (double{area[0]} + area[1] + area[2] + area[3]) * belief[t];
   });
-  for (std::size_t v = 0; v < n; ++v) {
-    const double spacing = std::min(geometry_.spacing[v], near_spacing(geometry_, static_cast<Index>(v)));
-    costs.off[v] = kOffPrice * spacing * spacing;
-  }
 
   Candidate candidate;
   std::vector<double> hold = costs.hold;
@@ -224,6 +230,30 @@ std::vector<double> Pipeline::film_belief(const GuidingSurface& film) const {
     if (!belief.empty()) return belief;
   }
   return winding_belief(film);
+}
+
+GuidingSurface Pipeline::around_one_tetrahedron() {
+  monitor_.enter("manifold", monitor_.share());
+  std::size_t fattest = 0;
+  double most = 0;
+  for (std::size_t t = 0; t < mesh_.size(); ++t) {
+    if (mesh_.tets.infinite(static_cast<Index>(t))) continue;
+    const auto& c = mesh_.tets.corners[t];
+    const Vec3 &a = sites_.positions[c[0]], &b = sites_.positions[c[1]], &d = sites_.positions[c[2]],
+               &e = sites_.positions[c[3]];
+    const double volume = std::abs((b - a).cross(d - a).dot(e - a));
+    if (volume > most) most = volume, fattest = t;
+  }
+  if (!(most > 0)) return {};
+  std::vector<char> labels(mesh_.size(), 0);
+  labels[fattest] = 1;
+  LabelCosts costs{evidence_.cost, std::vector<double>(mesh_.size(), 0), off_prices()};
+  costs.hold[fattest] = std::numeric_limits<double>::max();  // it stays
+  ManifoldLabels manifold(mesh_, geometry_, costs, labels);
+  manifold.repair();  // there is nothing to repair; it takes the census
+  if (options_.insert_leftover) manifold.reach();
+  report_.inserted = manifold.counts().reached;
+  return unsorted_film_of_sites(tetrahedral_boundary(mesh_, labels), sites_.perturbed);
 }
 
 // Nothing to remove and nothing to correct.

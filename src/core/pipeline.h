@@ -26,6 +26,10 @@ class Pipeline {
   /// Closed manifold of sites, or empty. `triangulation`: of the perturbed sites.
   GuidingSurface run(std::unique_ptr<DelaunayTriangulation> triangulation);
 
+  /// The last resort, after run(): the tetrahedron of largest volume, and what sites it reaches. Closed
+  /// manifold of sites that encloses it; empty only if all tetrahedra are flat.
+  GuidingSurface around_one_tetrahedron();
+
  private:
   struct Candidate {
     GuidingSurface film;
@@ -43,6 +47,7 @@ class Pipeline {
   std::vector<Vec3> with_virtual_sites(const GuidingSurface& film) const;
   Candidate finish(GuidingSurface film);
   Candidate cut(const std::vector<double>& belief, double conviction, bool open = false);
+  std::vector<double> off_prices() const;
   std::vector<double> carve_belief(double limit, double slope) const;
   std::vector<double> winding_belief(const GuidingSurface& film) const;
   std::vector<double> film_belief(const GuidingSurface& film) const;

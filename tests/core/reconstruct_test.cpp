@@ -296,5 +296,20 @@ TEST(Reconstruct, Regression_VirtualSiteThatLeftIsNoSiteOfTheFilm) {
   }
 }
 
+TEST(Reconstruct, PointsMostlyOnAPlaneStillEncloseSomething) {
+  // Only flat tetrahedra were taken of these, though each set spans space.
+  const std::vector<std::vector<Point>> sets = {
+      {{1, 0, 0}, {0, 0, 1}, {1, 0, 1}, {2, 0, 1}, {0, 2, 1}},
+      {{1, 0, 0}, {1, 1, 0}, {2, 1, 0}, {1, 2, 0}, {0, 0, 2}},
+      {{0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {0, 0, 2}},
+      {{1, 2, 0}, {2, 2, 0}, {0, 0, 1}, {1, 0, 1}, {2, 0, 1}, {0, 0, 2}}};
+  for (const auto& points : sets) {
+    const Result result = reconstruct(points);
+    expect_promise(result, points);
+    ASSERT_EQ(result.status, Status::Ok);
+    EXPECT_GT(test::signed_volume(mesh_of(result, points)), 0);
+  }
+}
+
 }  // namespace
 }  // namespace filmsticking
