@@ -55,6 +55,10 @@ constexpr double kReach = 2;
 // than the third, the film from the sphere is tried too.
 constexpr double kLittleTrouble = 0.01, kNoInside = 0.3, kMuchTrouble = 0.1;
 
+// Components and handles a site above which two sides are not those of an open surface, but of thin walls,
+// whose layers they confuse.
+constexpr double kMostComplex = 0.015;
+
 // Is there a film, and are all its vertices sites?
 bool of_sites(const GuidingSurface& film) {
   return !film.triangles.empty() && std::count(film.site.begin(), film.site.end(), kNone) == 0;
@@ -272,11 +276,11 @@ Pipeline::Candidate Pipeline::carve() {
     monitor_.enter("two sides", monitor_.share());
     Candidate sides = judged(cut(two_sides(mesh_, sites_.perturbed, evidence_, geometry_), kSidesConviction,
                                  options_.open_boundary));
-    // A plain open surface: nothing else can be better, and all else takes long there.
-    const bool plain =
-        sides.weak <= kLittleTrouble &&
-        static_cast<double>(sides.quality.complexity) <= kLittleTrouble * static_cast<double>(sites_.size());
-    if (sides.score() < best.score()) {
+    const double complexity =
+        static_cast<double>(sides.quality.complexity) / static_cast<double>(sites_.size());
+    if (complexity <= kMostComplex && sides.score() < best.score()) {
+      // A plain open surface: nothing else can be better, and all else takes long there.
+      const bool plain = sides.weak <= kLittleTrouble && complexity <= kLittleTrouble;
       best = std::move(sides);
       if (plain) return best;
     }

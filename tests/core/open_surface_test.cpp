@@ -112,6 +112,7 @@ TEST(OpenSurface, ClosedCloudsStayAsTheyAre) {
       {"sphere", test::sphere(3000, 1)},
       {"torus", test::torus(5000, 2)},
       {"box", test::box(4000, 3, {1, 2, 1})},
+      {"thin plate", test::box(3000, 6, {1, 1, 0.02})},
       {"spot", test::read_float_ply(TEST_DATA "/spot_10k.ply")}};
   for (const auto& [name, points] : clouds) {
     SCOPED_TRACE(name);
@@ -119,6 +120,17 @@ TEST(OpenSurface, ClosedCloudsStayAsTheyAre) {
     EXPECT_TRUE(open.report.closed);
     EXPECT_EQ(open.triangles, closed.triangles);
     EXPECT_EQ(open.gaps, closed.gaps);
+  }
+}
+
+TEST(OpenSurface, AThinClosedShellIsNotTakenForASheet) {
+  // Two spheres so near that their points are as far from each other as from their neighbours.
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    auto points = test::sphere(2500, seed);
+    for (const Point& p : test::sphere(2500, seed + 100, {0, 0, 0}, 1.07)) points.push_back(p);
+    const Result result = reconstruct_open(points);
+    ASSERT_EQ(result.status, Status::Ok);
+    EXPECT_TRUE(result.report.closed);
   }
 }
 
