@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 
+#include "common/usage_error.h"
 #include "truth_fit.h"
 
 namespace filmsticking::app {
@@ -17,11 +17,6 @@ struct CommandLine {
   std::size_t samples = mesh_report::kDefaultSamples;
   bool json = false;
   bool help = false;
-};
-
-/// A command line that makes no sense; what() is a sentence for the user.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
 };
 
 /// Throws UsageError.

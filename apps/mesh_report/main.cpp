@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // mesh_report: what there is to say about a mesh.
 #include <cstdio>
-#include <new>
 
 #include "command_line.h"
-#include "io/io_error.h"
+#include "common/program.h"
 #include "io/model_file.h"
 #include "io/with_file.h"
 #include "report.h"
@@ -36,7 +35,7 @@ void run(const CommandLine& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
+  return run_program("mesh_report", [&] {
     const CommandLine command = parse_command_line(argc, argv);
     if (command.help) {
       std::fputs(usage().c_str(), stdout);
@@ -44,13 +43,5 @@ int main(int argc, char** argv) {
       run(command);
     }
     return 0;
-  } catch (const UsageError& error) {
-    std::fprintf(stderr, "mesh_report: %s.\n", error.what());
-    return 2;
-  } catch (const std::bad_alloc&) {
-    std::fputs("mesh_report: the memory does not suffice.\n", stderr);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "mesh_report: %s.\n", error.what());
-  }
-  return 1;
+  });
 }

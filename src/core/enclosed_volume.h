@@ -9,7 +9,7 @@
 namespace filmsticking {
 
 /// The sign, -1, 0 or 1, of the volume that some triangles of a closed surface enclose; exact, also where it
-/// is less than what rounding leaves. `corners` name `places`, which are finite.
+/// is less than what rounding leaves. `triangles` index `places`, which are finite.
 int enclosed_volume_sign(const std::vector<Corners>& triangles, const std::vector<Point>& places);
 
 }  // namespace filmsticking

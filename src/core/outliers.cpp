@@ -14,7 +14,7 @@ namespace {
 constexpr double kLonely = 1.8, kNotFlat = 0.03, kAside = 2;
 // The same where the neighbours are outliers as well: in spacings of the median site, and scattered. Of the
 // points of evenly sampled surfaces neither takes one; of noise spread evenly through the box around them
-// both take two thirds to four fifths, the rest being near the surface.
+// both take three fifths to nine tenths, the rest being near the surface.
 constexpr double kFarOff = 4, kScattered = 0.08;
 
 std::vector<char> outliers(const SiteGeometry& geometry) {

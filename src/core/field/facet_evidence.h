@@ -9,6 +9,9 @@
 
 namespace filmsticking {
 
+/// What a facet says of its two sides, by votes: 1 the same, -1 opposite.
+constexpr double kVoteCoupling[4] = {1.0, 0.3, -0.3, -1.0};
+
 /// What is known of each facet from the sites alone. Index [t][k]: the facet of tetrahedron t opposite its
 /// corner k, the same from both sides; facets with the infinite vertex have zeros.
 struct FacetEvidence {

@@ -9,8 +9,6 @@
 namespace filmsticking {
 namespace {
 
-// How much a facet couples its two sides, by votes: 1 the same, -1 opposite.
-constexpr double kCoupling[4] = {1.0, 0.3, -0.3, -1.0};
 constexpr int kMaxIterations = 300;
 // Of the residual, per tetrahedron; only the sign and the rough size of the field matter.
 constexpr double kTolerance = 4e-4;
@@ -31,7 +29,7 @@ std::vector<double> signed_field(const TetrahedralMesh& mesh, const FacetEvidenc
   parallel_each(n, [&](std::size_t t) {
     diagonal[t] = 1e-9;
     for (int k = 0; k < 4; ++k) {
-      coupling[t][k] = static_cast<float>(kCoupling[evidence.votes[t][k]] * evidence.area[t][k] * unit);
+      coupling[t][k] = static_cast<float>(kVoteCoupling[evidence.votes[t][k]] * evidence.area[t][k] * unit);
       diagonal[t] += std::abs(coupling[t][k]);
     }
     if (given(t)) x[t] = -1;

@@ -11,9 +11,6 @@
 namespace filmsticking {
 namespace {
 
-// What a facet says of its two sides, by votes: 1 the same, -1 opposite.
-constexpr double kCoupling[4] = {1.0, 0.3, -0.3, -1.0};
-
 // Facets with edges longer than this, in spacings, say less: by the fourth power, so that the rim of an open
 // surface, which wide facets go around from one side to the other, does not count against the surface.
 constexpr double kNear = 2;
@@ -21,7 +18,7 @@ constexpr double kNear = 2;
 /// Clusters of tetrahedra, each with a sign relative to its root.
 class SignedClusters {
  public:
-  explicit SignedClusters(std::size_t n) : parent_(n), sign_(n, 1), size_(n, 1) {
+  explicit SignedClusters(std::size_t n) : parent_(n), sign_(n, 1) {
     for (std::size_t i = 0; i < n; ++i) parent_[i] = static_cast<Index>(i);
   }
 
@@ -40,14 +37,11 @@ class SignedClusters {
   }
 
   /// Joins two roots, `a` stays one. `sign`: that of b in a's cluster.
-  void join(Index a, Index b, int sign) {
-    parent_[b] = a, sign_[b] = static_cast<signed char>(sign), size_[a] += size_[b];
-  }
+  void join(Index a, Index b, int sign) { parent_[b] = a, sign_[b] = static_cast<signed char>(sign); }
 
  private:
   std::vector<Index> parent_;
   std::vector<signed char> sign_;
-  std::vector<Index> size_;
 };
 
 /// The contraction. An edge is a facet, named 4 t + k from its lesser side.
@@ -155,7 +149,7 @@ std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec
                                      (sites[l] - sites[i]).squaredNorm()});
       const double sample = spacing * spacing, near = std::min(1.0, kNear * kNear * sample / edge2);
       weight[4 * t + k] =
-          kCoupling[evidence.votes[t][k]] * std::min<double>(evidence.area[t][k], sample) * near * near;
+          kVoteCoupling[evidence.votes[t][k]] * std::min<double>(evidence.area[t][k], sample) * near * near;
     }
   });
   SignedClusters clusters = Contraction(mesh, std::move(weight)).run();
