@@ -99,6 +99,24 @@ TEST(ManifoldLabels, AreAManifoldInEveryRoomForAnyLabels) {
   EXPECT_GT(reached, 0);
 }
 
+// A star is first searched as a list; a piece that was met when the list was full was written past its end,
+// and what came after it.
+TEST(ManifoldLabels, Regression_AStarMayBeLongerThanTheListByAPiece) {
+  std::vector<Point> points = test::sphere(60, 1);
+  points.push_back({0, 0, 0});
+  const Setting s(points);
+  const LabelCosts costs = costs_of(s);
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    test::Random random(seed);
+    std::vector<char> inside(s.mesh.size(), 0);
+    for (std::size_t t = 0; t < inside.size(); ++t)
+      inside[t] = !s.mesh.tets.infinite(static_cast<Index>(t)) && random.below(12) > 0;
+    ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
+    manifold.repair();
+    EXPECT_TRUE(euler_if_manifold(s, inside)) << seed;
+  }
+}
+
 TEST(ManifoldLabels, WarpAndReachKeepTheTopology) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const Setting s(test::torus(300, seed));

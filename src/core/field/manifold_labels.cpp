@@ -104,6 +104,7 @@ bool ManifoldLabels::quick_census(Index v, Census& result) const {
   while (waits > 0) {
     const Index start = waiting[--waits];
     if (met(start)) continue;
+    if (size == kQuickStar) return false;
     const char label = inside_[start];
     ++(label ? result.inside : result.outside);
     std::size_t next = size;
