@@ -9,21 +9,25 @@
 namespace filmsticking {
 namespace {
 
-// Half-edges bucketed by their origin.
-struct OutgoingHalfEdges {
-  std::vector<Index> offset, half_edge;
-  OutgoingHalfEdges(const std::vector<Corners>& triangles, Index vertex_count)
-      : offset(vertex_count + 1, 0), half_edge(triangles.size() * 3) {
+Index target(const std::vector<Corners>& triangles, Index h) { return triangles[h / 3][next_in_face(h) % 3]; }
+
+// Half-edges bucketed by that end which has fewer of them: the apex of a wide cone is searched by nobody.
+struct HalfEdgesByEnd {
+  std::vector<Index> degree, offset, half_edge;
+  HalfEdgesByEnd(const std::vector<Corners>& triangles, Index vertex_count)
+      : degree(vertex_count, 0), offset(vertex_count + 1, 0), half_edge(triangles.size() * 3) {
     for (const Corners& t : triangles)
-      for (Index v : t) ++offset[v + 1];
+      for (Index v : t) ++degree[v];
+    for (const Corners& t : triangles)
+      for (int k = 0; k < 3; ++k) ++offset[end(t[k], t[(k + 1) % 3]) + 1];
     for (std::size_t v = 1; v < offset.size(); ++v) offset[v] += offset[v - 1];
     std::vector<Index> fill(offset.begin(), offset.end() - 1);
     for (std::size_t t = 0; t < triangles.size(); ++t)
-      for (std::size_t k = 0; k < 3; ++k) half_edge[fill[triangles[t][k]]++] = static_cast<Index>(3 * t + k);
+      for (std::size_t k = 0; k < 3; ++k)
+        half_edge[fill[end(triangles[t][k], triangles[t][(k + 1) % 3])]++] = static_cast<Index>(3 * t + k);
   }
+  Index end(Index a, Index b) const { return std::pair(degree[a], a) < std::pair(degree[b], b) ? a : b; }
 };
-
-Index target(const std::vector<Corners>& triangles, Index h) { return triangles[h / 3][next_in_face(h) % 3]; }
 
 // How often an edge is run along the other way, and this way, from half-edge h; and the last that runs back.
 struct EdgeUse {
@@ -31,23 +35,24 @@ struct EdgeUse {
   int opposite = 0, same = 0;
 };
 
-EdgeUse use_of(const std::vector<Corners>& triangles, const OutgoingHalfEdges& out, Index h) {
-  const Index a = triangles[h / 3][h % 3], b = target(triangles, h);
+EdgeUse use_of(const std::vector<Corners>& triangles, const HalfEdgesByEnd& edges, Index h) {
+  const Index a = triangles[h / 3][h % 3], b = target(triangles, h), end = edges.end(a, b);
   EdgeUse use;
-  for (Index k = out.offset[b]; k < out.offset[b + 1]; ++k)
-    if (target(triangles, out.half_edge[k]) == a) use.back = out.half_edge[k], ++use.opposite;
-  for (Index k = out.offset[a]; k < out.offset[a + 1]; ++k)
-    if (target(triangles, out.half_edge[k]) == b) ++use.same;
+  for (Index k = edges.offset[end]; k < edges.offset[end + 1]; ++k) {
+    const Index g = edges.half_edge[k], from = triangles[g / 3][g % 3], to = target(triangles, g);
+    if (from == b && to == a) use.back = g, ++use.opposite;
+    if (from == a && to == b) ++use.same;
+  }
   return use;
 }
 
 }  // namespace
 
 std::vector<Index> half_edge_twins(const std::vector<Corners>& triangles, Index vertex_count) {
-  const OutgoingHalfEdges out(triangles, vertex_count);
+  const HalfEdgesByEnd edges(triangles, vertex_count);
   std::vector<Index> twin(triangles.size() * 3, kNone);
   parallel_each(twin.size(), [&](std::size_t h) {
-    const EdgeUse use = use_of(triangles, out, static_cast<Index>(h));
+    const EdgeUse use = use_of(triangles, edges, static_cast<Index>(h));
     if (use.opposite == 1 && use.same == 1) twin[h] = use.back;
   });
   return twin;
@@ -65,7 +70,7 @@ ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex
     check.edges_simple = check.closed = check.oriented = check.single_rings = false;
     return check;
   }
-  const OutgoingHalfEdges out(triangles, vertex_count);
+  const HalfEdgesByEnd edges(triangles, vertex_count);
   std::vector<Index> twin(triangles.size() * 3, kNone);
   enum : char {
     kFine,
@@ -75,7 +80,7 @@ ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex
   };  // an edge with one face, two that disagree, more than two
   std::vector<char> state(twin.size(), kFine);
   parallel_each(twin.size(), [&](std::size_t h) {
-    const EdgeUse use = use_of(triangles, out, static_cast<Index>(h));
+    const EdgeUse use = use_of(triangles, edges, static_cast<Index>(h));
     if (use.opposite == 1 && use.same == 1) twin[h] = use.back;
     const int faces = use.opposite + use.same;
     state[h] = faces > 2 ? kCrowded : faces == 1 ? kAlone : use.same == 2 ? kTurned : kFine;
@@ -99,7 +104,7 @@ ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex
       ++ring[v];
       g = twin[prev_in_face(g)];
     } while (g != kNone && g != first);
-    if (ring[v] != out.offset[v + 1] - out.offset[v]) check.single_rings = false;
+    if (ring[v] != edges.degree[v]) check.single_rings = false;
   }
   if (twins != nullptr) *twins = std::move(twin);
   return check;

@@ -90,6 +90,69 @@ ManifoldLabels::Census ManifoldLabels::census(Index v) {
   return result;
 }
 
+// Calls visit(u) for the tetrahedra around the edge of t between its corners a and b, other than t, until it
+// says false. Ends: the tetrahedra around an edge form a ring.
+template <class Visit>
+void ManifoldLabels::around_edge(Index t, int a, int b, const Visit& visit) const {
+  const auto& corners = mesh_.tets.corners[t];
+  const Index v = corners[a], w = corners[b];
+  int leave = 0;
+  while (leave == a || leave == b) ++leave;
+  Index last = corners[6 - a - b - leave];  // the corner that the next tetrahedron shares beside v and w
+  for (Index u = mesh_.tets.neighbours[t][leave]; u != t && visit(u);) {
+    const auto& c = mesh_.tets.corners[u];
+    const int out = corner(u, last);
+    for (const Index x : c)
+      if (x != v && x != w && x != c[out]) last = x;
+    u = mesh_.tets.neighbours[u][out];
+  }
+}
+
+// Are there tetrahedra of both labels around an edge, but for t?
+bool ManifoldLabels::mixed(Index t, int a, int b) const {
+  int labels = 0;
+  around_edge(t, a, b, [&](Index u) { return (labels |= inside_[u] ? 1 : 2) != 3; });
+  return labels == 3;
+}
+
+// What the census of v is now that t, a tetrahedron of its star, has changed sides, where it was plain before.
+// On a small sphere around v its two parts were discs, so that what t did to them shows where their common
+// border, a simple curve, meets t's triangle: whole stars need not be searched.
+ManifoldLabels::Census ManifoldLabels::census_of_flip(Index v, Index t, const Census& before) const {
+  const bool now = inside_[t], was = !now;
+  const int own = corner(t, v);
+  int border = 0, apart = own;
+  for (int k = 0; k < 4; ++k)
+    if (k != own && (inside_[mesh_.tets.neighbours[t][k]] != 0) != was) ++border, apart = k;
+  int rest = 1, gain = 1;  // pieces of the label it had, and of the other
+  if (border == 3) {
+    rest = 0;
+  } else if (border == 1) {
+    rest = mixed(t, own, apart) ? 2 : 1;  // the curve meets the triangle's far corner as well: it cuts
+  } else if (border == 0) {
+    int met = 0;
+    for (int k = 0; k < 4; ++k) met += k != own && mixed(t, own, k);
+    rest = std::max(1, met);
+    gain = (now ? before.inside : before.outside) + 1;
+  }
+  return now ? Census{gain, rest} : Census{rest, gain};
+}
+
+// The census of v now that a move has been made; census_ is what was before it.
+ManifoldLabels::Census ManifoldLabels::census_after(Index v, const Move& move) {
+  if (!census_[v].plain() || move.size() > 2) return census(v);
+  const auto has = [&](Index t) { return mesh_.tets.corners[t][corner(t, v)] == v; };
+  if (move.size() == 1 || !has(move[1])) return census_of_flip(v, move[0], census_[v]);
+  if (!has(move[0])) return census_of_flip(v, move[1], census_[v]);
+  for (const auto& [first, second] : {std::pair(move[0], move[1]), std::pair(move[1], move[0])}) {
+    inside_[second] = !inside_[second];  // one after the other
+    const Census between = census_of_flip(v, first, census_[v]);
+    inside_[second] = !inside_[second];
+    if (between.plain()) return census_of_flip(v, second, between);
+  }
+  return census(v);
+}
+
 // The census of a site whose star is small, without the members: for several threads at once. The star is
 // searched as a list; false: it is too long for that.
 bool ManifoldLabels::quick_census(Index v, Census& result) const {
@@ -189,7 +252,7 @@ ManifoldLabels::Effect ManifoldLabels::effect(const Move& move) {
   // With all sheets apart the surface has three edges for two facets: V - E + F = V - F / 2.
   e.euler = -facets / 2;
   for (Index v : touched_) {
-    const Census now = census(v);
+    const Census now = census_after(v, move);
     e.surplus += now.surplus() - census_[v].surplus();
     e.euler += now.sheets() - census_[v].sheets();
     e.cost += (static_cast<int>(now.off()) - static_cast<int>(census_[v].off())) * costs_.off[v];
@@ -198,17 +261,43 @@ ManifoldLabels::Effect ManifoldLabels::effect(const Move& move) {
   return e;
 }
 
-// Makes a move, and adds the sites that are singular then to a list.
-void ManifoldLabels::apply(const Move& move, std::vector<Index>& singular) {
+// The corners of a move's tetrahedra.
+const std::vector<Index>& ManifoldLabels::sites_of(const Move& move) {
   touched_.clear();
-  for (Index t : move) {
-    inside_[t] = !inside_[t];
+  for (Index t : move)
     touched_.insert(touched_.end(), mesh_.tets.corners[t].begin(), mesh_.tets.corners[t].end());
-  }
   unique_sorted(touched_);
-  for (Index v : touched_) {
-    census_[v] = census(v);
+  return touched_;
+}
+
+// Makes a move, and adds the sites that are singular then to a list. Returns the censuses of sites_of(move)
+// before it.
+std::vector<ManifoldLabels::Census> ManifoldLabels::apply(const Move& move, std::vector<Index>& singular) {
+  for (Index t : move) inside_[t] = !inside_[t];
+  std::vector<Census> before;
+  for (Index v : sites_of(move)) {
+    before.push_back(census_[v]);
+    census_[v] = census_after(v, move);
     if (this->singular(v)) singular.push_back(v);
+  }
+  return before;
+}
+
+// Calls visit(u) for all tetrahedra of whose flip the effect may be another after a move: those that share an
+// edge with it, and where a site has come on or off or is singular, all of its star.
+template <class Visit>
+void ManifoldLabels::each_concerned(const Move& move, const std::vector<Census>& before, const Visit& visit) {
+  for (Index t : move) {
+    visit(t);
+    for (int a = 0; a < 4; ++a)
+      for (int b = a + 1; b < 4; ++b) around_edge(t, a, b, [&](Index u) { return visit(u), true; });
+  }
+  const std::vector<Index> sites = sites_of(move);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const Index v = sites[i];
+    if (before[i].off() == census_[v].off() && before[i].plain() && census_[v].plain()) continue;
+    census(v);
+    for (Index u : star_) visit(u);
   }
 }
 
@@ -339,13 +428,11 @@ void ManifoldLabels::warp(const std::vector<char>& aim) {
       if (inside_[t] == aim[t] || !grows(move)) continue;
       const Effect e = effect(move);
       if (e.surplus != 0 || e.euler != 0) continue;
-      apply(move, none);
+      const std::vector<Census> before = apply(move, none);
       ++counts_.warped;
-      for (Index v : mesh_.tets.corners[t]) {
-        census(v);
-        for (Index u : star_)
-          if (inside_[u] != aim[u] && !mesh_.tets.infinite(u)) next.push_back(u);
-      }
+      each_concerned(move, before, [&](Index u) {
+        if (inside_[u] != aim[u] && !mesh_.tets.infinite(u)) next.push_back(u);
+      });
     }
     front.swap(next);
   }
@@ -383,19 +470,13 @@ void ManifoldLabels::reach() {
         changed[v] = 0;
         const Move move = best_reach(static_cast<Index>(v), share);
         if (move.empty()) continue;
-        apply(move, none);
+        const std::vector<Census> before = apply(move, none);
         ++counts_.reached;
         moved = true;
-        std::vector<Index> corners;
-        for (Index t : move)
-          corners.insert(corners.end(), mesh_.tets.corners[t].begin(), mesh_.tets.corners[t].end());
-        unique_sorted(corners);
-        for (Index corner : corners) {
-          census(corner);
-          for (Index t : star_)
-            for (Index w : mesh_.tets.corners[t])
-              if (w != kNone) changed[w] = 1;
-        }
+        each_concerned(move, before, [&](Index t) {
+          for (Index w : mesh_.tets.corners[t])
+            if (w != kNone) changed[w] = 1;
+        });
       }
     }
     if (share == 1) break;

@@ -67,6 +67,7 @@ class ManifoldLabels {
     int surplus() const { return std::max(0, inside - 1) + std::max(0, outside - 1); }
     int sheets() const { return inside + outside - 1; }  // of the surface, at the site
     bool off() const { return inside == 0 || outside == 0; }
+    bool plain() const { return surplus() == 0; }  // a disc, or no surface
   };
   using Move = std::vector<Index>;  // tetrahedra that change sides
   struct Effect {
@@ -76,16 +77,24 @@ class ManifoldLabels {
   };
 
   int corner(Index t, Index v) const;
+  template <class Visit>
+  void around_edge(Index t, int a, int b, const Visit& visit) const;
+  bool mixed(Index t, int a, int b) const;
   Census census(Index v);
+  Census census_of_flip(Index v, Index t, const Census& before) const;
+  Census census_after(Index v, const Move& move);
   bool quick_census(Index v, Census& result) const;
   std::vector<Index> take_census();
+  template <class Visit>
+  void each_concerned(const Move& move, const std::vector<Census>& before, const Visit& visit);
   bool singular(Index v) const { return census_[v].surplus() > 0 && !exempt_[v]; }
   bool allowed(const Move& move) const;
   bool grows(const Move& move) const;
   double flip_cost(Index t) const;
   double least_cost(const Move& move, double piece);
   Effect effect(const Move& move);
-  void apply(const Move& move, std::vector<Index>& singular);
+  const std::vector<Index>& sites_of(const Move& move);
+  std::vector<Census> apply(const Move& move, std::vector<Index>& singular);
   Move bridge(Index v, const std::vector<Index>& star, std::size_t begin, std::size_t end);
   std::vector<Move> moves_at(Index v, bool erode);
   Move best_move(Index v, bool erode);
