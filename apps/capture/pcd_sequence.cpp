@@ -25,7 +25,8 @@ class BlobGrabber : public pcl::PCDGrabberBase {
     Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
     if (numFrames() == 0) return std::nullopt;
     getCloudAt(0, frame.cloud, origin, orientation);  // PCL 1.13 tells success the wrong way round
-    if (frame.cloud.data.empty()) return std::nullopt;
+    const std::size_t row = std::size_t{frame.cloud.width} * frame.cloud.point_step;
+    if (row == 0 || frame.cloud.data.size() != row * frame.cloud.height) return std::nullopt;
     const Eigen::Quaterniond rotation = orientation.cast<double>();
     if (rotation.norm() > 0.5 && rotation.norm() < 2 && origin.allFinite())  // else there is none to speak of
       frame.sensor_pose = Pose(Eigen::Translation3d(origin.head<3>().cast<double>()) * rotation.normalized());

@@ -100,6 +100,20 @@ void check_text(std::string_view body, std::size_t points, std::size_t numbers) 
   if (lines != points) refuse("it has " + std::to_string(lines) + " points");
 }
 
+/// PCL's reader does not end the header at DATA: a keyword behind it, past comments and empty lines, counts
+/// too, and then sizes change after the memory for them was taken.
+void check_header_ends(std::string_view body) {
+  for (bool header = true; header && !body.empty();) {
+    std::string_view line = body.substr(0, body.find('\n'));
+    body.remove_prefix(std::min(line.size() + 1, body.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(" \t\r\v\f"), line.size()));
+    for (const std::string_view keyword : {"VERSION", "FIELDS", "COLUMNS", "SIZE", "TYPE", "COUNT", "WIDTH",
+                                           "HEIGHT", "VIEWPOINT", "POINTS", "DATA"})
+      if (line.substr(0, keyword.size()) == keyword) refuse("its header goes on behind DATA");
+    header = line.empty() || line[0] == '#';
+  }
+}
+
 }  // namespace
 
 void check_pcd(std::string_view bytes) {
@@ -134,6 +148,7 @@ void check_pcd(std::string_view bytes) {
     step += size * count;
     numbers += count;
   }
+  check_header_ends(rest);
   if (data == "ascii") return check_text(rest, points, numbers);
   if (data == "binary") {
     if (rest.size() < points * step) refuse("it ends too early");

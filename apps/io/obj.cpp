@@ -12,6 +12,7 @@ namespace filmsticking::io {
 namespace {
 
 std::uint8_t to_byte(double share) {
+  if (std::isnan(share)) return 0;
   return static_cast<std::uint8_t>(std::lround(std::clamp(share, 0.0, 1.0) * 255));
 }
 

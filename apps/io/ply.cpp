@@ -143,6 +143,8 @@ class Body {
   TextScanner text_;
 };
 
+[[noreturn]] void throw_no_vertex() { throw IoError("a face in it names a vertex that does not exist"); }
+
 void read_vertices(Body& body, const Element& element, Model& model) {
   enum Role { X, Y, Z, Red, Green, Blue, kRoles, Other = kRoles };
   static const std::map<std::string_view, Role> roles = {{"x", X},
@@ -177,13 +179,17 @@ void read_vertices(Body& body, const Element& element, Model& model) {
     }
     model.positions.push_back({values[X], values[Y], values[Z]});
     if (coloured) {
-      const auto byte = [&](Role role) { return static_cast<std::uint8_t>(values[role]); };
+      const auto byte = [&](Role role) {
+        if (!(values[role] >= 0 && values[role] <= 255)) throw IoError("a colour in it is not from 0 to 255");
+        return static_cast<std::uint8_t>(values[role]);
+      };
       model.colours.push_back({byte(Red), byte(Green), byte(Blue)});
     }
   }
 }
 
-void read_faces(Body& body, const Element& element, std::size_t vertices, Model& model) {
+/// That there are such vertices is seen at the end: faces may come first.
+void read_faces(Body& body, const Element& element, Model& model) {
   std::vector<std::int32_t> corners;
   for (std::size_t row = 0; row < element.count; ++row)
     for (const Property& property : element.properties) {
@@ -194,13 +200,18 @@ void read_faces(Body& body, const Element& element, std::size_t vertices, Model&
       for (std::size_t r = 0; r < repeats; ++r) {
         const double value = body.value(property.type);
         if (!is_face) continue;
-        if (!(value >= 0 && value < static_cast<double>(vertices)))
-          throw IoError("a face in it names a vertex that does not exist");
+        if (!(value >= 0 && value < INT32_MAX)) throw_no_vertex();
         corners.push_back(static_cast<std::int32_t>(value));
       }
       for (std::size_t k = 2; k < corners.size(); ++k)
         model.triangles.push_back({corners[0], corners[k - 1], corners[k]});
     }
+}
+
+void check_corners(const Model& model) {
+  for (const Triangle& triangle : model.triangles)
+    for (const std::int32_t corner : triangle)
+      if (static_cast<std::size_t>(corner) >= model.positions.size()) throw_no_vertex();
 }
 
 void skip(Body& body, const Element& element) {
@@ -218,10 +229,6 @@ Model decode_ply(std::string_view bytes) {
   const Header header = parse_header(file);
   Body body(header.format, bytes.substr(bytes.size() - file.remaining()));
 
-  std::size_t vertices = 0;
-  for (const Element& element : header.elements)
-    if (element.name == "vertex") vertices = element.count;
-
   Model model;
   for (const Element& element : header.elements) {
     if (element.properties.empty()) continue;
@@ -229,11 +236,12 @@ Model decode_ply(std::string_view bytes) {
     if (element.name == "vertex" && model.positions.empty()) {
       read_vertices(body, element, model);
     } else if (element.name == "face") {
-      read_faces(body, element, vertices, model);
+      read_faces(body, element, model);
     } else {
       skip(body, element);
     }
   }
+  check_corners(model);
   return model;
 }
 

@@ -216,6 +216,17 @@ TEST(StrictPcd, RefusesWhatPclsReaderDoesNotStand) {
   EXPECT_THROW(check_pcd(""), CaptureError);
 }
 
+TEST(StrictPcd, TheHeaderDoesNotGoOnBehindItsData) {
+  const std::string header =
+      "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 8\nHEIGHT 1\nPOINTS 8\n"
+      "DATA binary\n";
+  const auto file = [&](std::string body) { return header + body + std::string(96 - body.size(), '.'); };
+  EXPECT_NO_THROW(check_pcd(file("# what looks like a comment\n\n is none\nCOUNT 9 9 9\n")));
+  for (const char* body :
+       {"COUNT 9 9 9\n", "#\nCOUNT 9 9 9\n", "\n\n \tSIZE 8 8 8\n", "#\r\n\vPOINTS 9000\n"})
+    EXPECT_THROW(check_pcd(file(body)), CaptureError) << body;
+}
+
 TEST(OpenniSource, AFileThatIsNoRecordingIsRefused) {
   const ScratchFolder folder;
   std::ofstream(folder / "noise.oni") << "noise";

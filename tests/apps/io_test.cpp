@@ -274,6 +274,27 @@ TEST(Ply, BrokenFilesAreRefused) {
     EXPECT_THROW(io::decode_ply(std::string_view(whole).substr(0, size)), IoError) << size;
 }
 
+TEST(Ply, ColoursThatAreNoBytesAreRefused) {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n0 0 0 ";
+  EXPECT_EQ(io::decode_ply(header + "0 128 255\n").colours, (std::vector<Colour>{{0, 128, 255}}));
+  for (const char* colour : {"0 256 0", "-1 0 0", "0 0 nan", "1e300 0 0"})
+    EXPECT_THROW(io::decode_ply(header + colour), IoError) << colour;
+}
+
+TEST(Ply, FacesOfVerticesThatOnlyTheHeaderHasAreRefused) {
+  const std::string begin = "ply\nformat ascii 1.0\n", vertices = "element vertex 3\n",
+                    xyz = "property float x\nproperty float y\nproperty float z\n",
+                    faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n",
+                    points = "0 0 0\n1 0 0\n0 1 0\n";
+  EXPECT_EQ(io::decode_ply(begin + vertices + xyz + faces + points + "3 0 1 2\n").triangles.size(), 1u);
+  EXPECT_THROW(io::decode_ply(begin + vertices + faces + "3 0 1 2\n"), IoError);  // without properties
+  EXPECT_THROW(io::decode_ply(begin + vertices + xyz + "element vertex 6\n" + xyz + faces + points + points +
+                              points + "3 0 1 5\n"),
+               IoError);  // there are two kinds of them
+}
+
 // ---- OBJ, XYZ
 // -----------------------------------------------------------------------------------------------
 
@@ -293,6 +314,10 @@ TEST(Obj, BrokenFilesAreRefused) {
        {"v 0 0\n", "v 0 0 zero\n", "v 0 0 0\nf 1 2 3\n", "v 0 0 0\nf 1 1 0\n", "v 0 0 0\nf 1 1 -2\n",
         "v 0 0 0\nf a b c\n", "v 0 0 0\nf 1 1 99999999999999999999\n"})
     EXPECT_THROW(io::decode_obj(text), IoError) << text;
+}
+
+TEST(Obj, AColourThatIsNoNumberIsNone) {
+  EXPECT_EQ(io::decode_obj("v 0 0 0 nan 1 0.5\n").colours, (std::vector<Colour>{{0, 255, 128}}));
 }
 
 TEST(Xyz, SeparatorsCommentsAndHeadingsAreUnderstood) {
