@@ -24,13 +24,18 @@ double solid_angle_winding(const GuidingSurface& surface, const std::vector<Inde
 
 bool orient_components(GuidingSurface& surface, const std::vector<Point>& places) {
   std::vector<Index> component;
-  const Index count = connected_components(
-      half_edge_twins(surface.triangles, static_cast<Index>(surface.positions.size())), component);
+  const std::vector<Index> twin =
+      half_edge_twins(surface.triangles, static_cast<Index>(surface.positions.size()));
+  const Index count = connected_components(twin, component);
   std::vector<std::vector<Index>> members(count);
   for (std::size_t t = 0; t < component.size(); ++t) members[component[t]].push_back(static_cast<Index>(t));
+  std::vector<char> closed(count, 1);
+  for (std::size_t h = 0; h < twin.size(); ++h)
+    if (twin[h] == kNone) closed[component[h / 3]] = 0;
   std::vector<int> volume(count, 0);  // its sign
   std::vector<Vec3> lo(count, Vec3::Constant(1e300)), hi(count, Vec3::Constant(-1e300));
   for (Index c = 0; c < count; ++c) {
+    if (!closed[c]) continue;
     std::vector<Corners> triangles;
     for (Index t : members[c]) {
       triangles.push_back(surface.triangles[t]);
@@ -42,17 +47,18 @@ bool orient_components(GuidingSurface& surface, const std::vector<Point>& places
     volume[c] = enclosed_volume_sign(triangles, places);
   }
   // Largest boxes first: a component lies only inside larger ones, which are turned by then.
-  std::vector<Index> order(count);
-  for (Index c = 0; c < count; ++c) order[c] = c;
+  std::vector<Index> order;
+  for (Index c = 0; c < count; ++c)
+    if (closed[c]) order.push_back(c);
   std::sort(order.begin(), order.end(), [&](Index a, Index b) {
     const double da = (hi[a] - lo[a]).norm(), db = (hi[b] - lo[b]).norm();
     return da != db ? da > db : a < b;
   });
-  for (Index i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < order.size(); ++i) {
     const Index c = order[i];
     const Vec3 x = surface.corner(members[c][0], 0);
     double depth = 0;
-    for (Index j = 0; j < i; ++j) {
+    for (std::size_t j = 0; j < i; ++j) {
       const Index other = order[j];
       if ((x.array() < lo[other].array()).any() || (x.array() > hi[other].array()).any()) continue;
       depth += solid_angle_winding(surface, members[other], x);
@@ -61,7 +67,8 @@ bool orient_components(GuidingSurface& surface, const std::vector<Point>& places
     if ((volume[c] < 0) == cavity) continue;
     for (Index t : members[c]) std::swap(surface.triangles[t][1], surface.triangles[t][2]);
   }
-  return std::any_of(volume.begin(), volume.end(), [](int sign) { return sign != 0; });
+  return std::any_of(volume.begin(), volume.end(), [](int sign) { return sign != 0; }) ||
+         order.size() < static_cast<std::size_t>(count);
 }
 
 }  // namespace filmsticking

@@ -8,10 +8,10 @@
 
 namespace filmsticking {
 
-/// Turns the components of a closed manifold so that outermost ones enclose positive volume and cavities
-/// negative volume. What a component is inside of is decided by the surface, which may be perturbed; the sign
-/// of a volume, by the true `places` of its vertices, between which there can be less than a perturbation.
-/// False if no component encloses any volume.
+/// Turns the closed components of a manifold so that outermost ones enclose positive volume and cavities
+/// negative volume; those with a boundary stay as they are. What a component is inside of is decided by the
+/// surface, which may be perturbed; the sign of a volume, by the true `places` of its vertices, between which
+/// there can be less than a perturbation. False if all components are closed and none encloses any volume.
 bool orient_components(GuidingSurface& surface, const std::vector<Point>& places);
 
 /// The winding number of a closed surface around x: the sum of its triangles' solid angles over 4 pi.

@@ -152,20 +152,15 @@ void run(const std::vector<Point>& points, const Options& options, const Executi
 
   Pipeline pipeline(sites, geometry, options, monitor, report);
   GuidingSurface film = pipeline.run(std::move(triangulation));
-  if (options.open_boundary) {
-    if (film.triangles.empty()) return fail(result, Status::NoSurface, describe(Status::NoSurface));
-  } else {
-    const auto orient = [&] {
-      std::vector<Point> places;
-      for (const Index site : film.site)
-        places.push_back(points[static_cast<std::size_t>(sites.input[site])]);
-      return !film.triangles.empty() && orient_components(film, places);
-    };
-    // The film may be flat, by less than the points are perturbed: few points, mostly on a plane.
-    bool oriented = orient();
-    if (!oriented) film = pipeline.around_one_tetrahedron(), oriented = orient();
-    if (!oriented) return fail(result, Status::NoSurface, describe(Status::NoSurface));
-  }
+  const auto orient = [&] {
+    std::vector<Point> places;
+    for (const Index site : film.site) places.push_back(points[static_cast<std::size_t>(sites.input[site])]);
+    return !film.triangles.empty() && orient_components(film, places);
+  };
+  bool oriented = orient();
+  // A closed film may be flat, by less than the points are perturbed: few points, mostly on a plane.
+  if (!oriented && !options.open_boundary) film = pipeline.around_one_tetrahedron(), oriented = orient();
+  if (!oriented) return fail(result, Status::NoSurface, describe(Status::NoSurface));
   monitor.enter("result", 0.97);
   write_result(film, face_gaps(film, geometry), sites, result);
   describe_result(result);

@@ -199,6 +199,24 @@ TEST(Outliers, FarOnesAreLeftOffUnlessWanted) {
   }
 }
 
+// What comes out closed although it might be open is turned as any closed surface is.
+TEST(OpenSurface, AClosedOneEnclosesPositiveVolume) {
+  int closed = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const std::vector<Point> points = test::awkward(seed);
+    Options options;
+    options.open_boundary = true;
+    const Result result = reconstruct(points, options);
+    if (result.status != Status::Ok || !result.report.closed) continue;
+    Mesh mesh;
+    for (const std::int32_t i : result.vertices) mesh.positions.push_back(points[i]);
+    mesh.triangles = result.triangles;
+    EXPECT_GT(test::signed_volume(mesh), 0) << seed;
+    ++closed;
+  }
+  EXPECT_GT(closed, 10);
+}
+
 TEST(Outliers, AreNotFoundWhereAllPointsAreScattered) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> uniform(-1, 1);

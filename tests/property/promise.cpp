@@ -39,7 +39,7 @@ Mesh mesh_of(const Result& result, const std::vector<Point>& points) {
   return mesh;
 }
 
-std::string fault_of(const Result& result, const std::vector<Point>& points) {
+std::string fault_of(const Result& result, const std::vector<Point>& points, bool open) {
   std::set<Point> places;
   std::int64_t non_finite = 0;
   for (const Point& p : points) {
@@ -71,11 +71,13 @@ std::string fault_of(const Result& result, const std::vector<Point>& points) {
   for (const std::int32_t i : result.vertices)
     if (i < 0 || i >= all || !is_finite(points[i])) return "a vertex is none of the finite points";
   const Mesh mesh = mesh_of(result, points);
-  const std::string fault = surface_fault(mesh);
+  const std::string fault = surface_fault(mesh, open);
   if (!fault.empty()) return fault;
-  if (!report.closed || !report.manifold) return "the report denies what is so";
+  const bool closed = !open || surface_fault(mesh).empty();
+  if (report.closed != closed || !report.manifold) return "the report denies what is so";
   if (report.interpolated != static_cast<std::int64_t>(mesh.positions.size()))
     return "the report counts the vertices wrongly";
+  if (!closed) return "";
   const int sign = volume_sign(mesh);
   if (sign != 0) return sign > 0 ? "" : "the volume is negative";
   return "the volume is zero";
