@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Any bytes as options and coordinates: the promise of reconstruct() holds.
+#include <vector>
+
+#include "filmsticking/reconstruct.h"
+#include "property/promise.h"
+#include "target.h"
+
+namespace {
+
+using filmsticking::InitialSurface;
+using filmsticking::Point;
+using filmsticking::test::ByteReader;
+
+constexpr std::size_t kMostPoints = 200, kMostPointsInFilm = 40;  // a film step costs more than carving
+
+/// Whole numbers make grids: points on one line, plane and sphere, and points at one place.
+enum Number { Double, Float, Byte, Short };
+
+double take(ByteReader& bytes, int number) {
+  switch (number) {
+    case Double:
+      return bytes.take<double>();
+    case Float:
+      return static_cast<double>(bytes.take<float>());
+    case Byte:
+      return bytes.take<std::int8_t>();
+    default:
+      return bytes.take<std::int16_t>() / 256.0;
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  ByteReader bytes(data, size);
+  const auto choices = bytes.take<std::uint8_t>();
+  filmsticking::Options options;
+  options.threads = 1;
+  options.open_boundary = (choices & 1) != 0;
+  options.keep_outliers = (choices & 2) != 0;
+  const int start = choices >> 2 & 3, number = choices >> 4 & 3;
+  const bool film = start > 1;
+  if (start == 2) options.initial_surface = InitialSurface::Sphere;
+  if (start == 3) options = filmsticking::Options::paper(), options.threads = 1;
+  if (film) options.max_steps = 8, options.max_rounds = 1;
+
+  std::vector<Point> points;
+  while (!bytes.empty() && points.size() < (film ? kMostPointsInFilm : kMostPoints)) {
+    Point& p = points.emplace_back();
+    for (double& x : p) x = take(bytes, number);
+  }
+  filmsticking::test::require_no_fault(filmsticking::test::fault_of(
+      filmsticking::reconstruct(points, options), points, options.open_boundary));
+  return 0;
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Any bytes as a file of points, in every format that the programs read: a clean refusal, or a model whose
+// parts fit together and that reads back as it was written.
+#include <pcl/console/print.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstring>
+#include <string_view>
+
+#include "capture/capture_error.h"
+#include "capture/frame_points.h"
+#include "capture/frame_source.h"
+#include "capture/strict_pcd.h"
+#include "capture/trajectory.h"
+#include "io/format.h"
+#include "io/io_error.h"
+#include "io/pcd.h"
+#include "target.h"
+
+namespace filmsticking::test {
+namespace {
+
+using io::Model;
+
+std::string fault_of(const Model& model, std::size_t bytes) {
+  if (model.positions.size() > bytes) return "more points than bytes";
+  if (!model.colours.empty() && model.colours.size() != model.positions.size())
+    return "colours of some points only";
+  for (const Triangle& triangle : model.triangles)
+    for (const std::int32_t corner : triangle)
+      if (corner < 0 || static_cast<std::size_t>(corner) >= model.positions.size())
+        return "a corner is no point";
+  return "";
+}
+
+/// Bit by bit, but for the kind of NaN.
+bool same(const std::vector<Point>& a, const std::vector<Point>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      if (std::memcmp(&a[i][k], &b[i][k], sizeof(double)) != 0 &&
+          !(std::isnan(a[i][k]) && std::isnan(b[i][k])))
+        return false;
+  return true;
+}
+
+/// What was read is written and read again.
+std::string round_trip_fault(const Model& model) {
+  for (const char* format : {"ply", "obj"}) {
+    const Model again = io::decode_cloud(format, io::encode_model(format, model));
+    if (!same(again.positions, model.positions)) return "points change on their way through a file";
+    if (again.triangles != model.triangles) return "triangles change on their way through a file";
+    if (again.colours != model.colours && !model.positions.empty())
+      return "colours change on their way through a file";
+  }
+  for (const char* format : {"stl", "vtk", "glb"}) try {
+      io::encode_model(format, model);
+    } catch (const io::IoError&) {  // glTF has no such number, or there are no triangles
+    }
+  return "";
+}
+
+void read_as(const std::string& format, std::string_view bytes) {
+  Model model;
+  try {
+    model = io::decode_cloud(format, bytes);
+  } catch (const io::IoError&) {
+    return;
+  }
+  require_no_fault(fault_of(model, bytes.size()));
+  require_no_fault(round_trip_fault(model));
+}
+
+/// A frame of a capture, which goes through PCL's reader if it is a strict PCD file.
+void read_as_frame(std::string_view bytes) {
+  try {
+    capture::check_pcd(bytes);
+    io::decode_pcd(bytes);
+  } catch (const std::runtime_error&) {
+    return;
+  }
+  const int file = memfd_create("frame", 0);
+  if (file < 0 || write(file, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) std::abort();
+  try {
+    const auto frame = capture::pcd_sequence({"/proc/self/fd/" + std::to_string(file)})->next();
+    if (frame) require_no_fault(fault_of(capture::frame_points(*frame, {}), bytes.size()));
+  } catch (const capture::CaptureError&) {
+  }
+  close(file);
+}
+
+void read_as_trajectory(std::string_view bytes) {
+  try {
+    if (capture::parse_trajectory(bytes).size() == 0) std::abort();
+  } catch (const capture::CaptureError&) {
+  }
+}
+
+}  // namespace
+}  // namespace filmsticking::test
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace filmsticking;
+  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);  // PCL says something of every broken file
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  static_cast<void>(io::detect_format(bytes));
+  for (const char* format : {"pcd", "ply", "obj", "stl", "xyz"}) test::read_as(format, bytes);
+  test::read_as_frame(bytes);
+  test::read_as_trajectory(bytes);
+  return 0;
+}
