@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program.h"
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -14,6 +15,7 @@ void complain(const char* program, const std::string& what) {
 }
 
 int run_program(const char* program, const std::function<int()>& body) noexcept {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file past the size limit is an error to tell of, as a full disk is
   try {
     return body();
   } catch (const UsageError& error) {

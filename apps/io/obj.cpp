@@ -46,8 +46,8 @@ Model decode_obj(std::string_view bytes) {
       model.positions.push_back(p);
       std::vector<double> more;
       for (double x; line.remaining() > 0 && line.number(x);) more.push_back(x);
-      if (more.size() >= 3)  // a fourth number alone is a weight
-        model.colours.push_back({to_byte(more.end()[-3]), to_byte(more.end()[-2]), to_byte(more.end()[-1])});
+      if (const std::size_t n = more.size(); n >= 3)  // a fourth number alone is a weight
+        model.colours.push_back({to_byte(more[n - 3]), to_byte(more[n - 2]), to_byte(more[n - 1])});
     } else if (keyword == "f") {
       const std::vector<std::int32_t> corners = read_corners(line, model.positions.size());
       for (std::size_t k = 2; k < corners.size(); ++k)

@@ -462,6 +462,15 @@ TEST(PcdToMesh, StandardInputAndOutput) {
   EXPECT_EQ(run_program({"/bin/sh", "-c", PCD_TO_MESH " " + kBunny + " - > /dev/full"}).status, 1);
 }
 
+TEST(PcdToMesh, AFilePastTheSizeLimitIsSaidAndNothingIsLeft) {
+  const ScratchFolder folder;
+  const Outcome outcome = run_program(
+      {"/bin/sh", "-c", "ulimit -f 1; exec " PCD_TO_MESH " " + kBunny + " " + (folder / "mesh.ply")});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("it cannot be written"), std::string::npos) << outcome.err;
+  EXPECT_EQ(folder.count(), 0u);
+}
+
 TEST(PcdToMesh, ColoursAreInGltfAsAnotherReaderSeesIt) {
   const ScratchFolder folder;
   Model cloud = io::read_cloud(kSpot);
