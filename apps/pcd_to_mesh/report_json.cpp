@@ -81,6 +81,8 @@ const char* status_name(Status status) {
       return "InvalidGuidingSurface";
     case Status::NoSurface:
       return "NoSurface";
+    case Status::TooComplex:
+      return "TooComplex";
     case Status::Cancelled:
       return "Cancelled";
     case Status::OutOfMemory:

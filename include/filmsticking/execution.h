@@ -8,12 +8,14 @@
 
 namespace filmsticking {
 
-/// The caller's hand on a running reconstruction. All members are optional.
+/// The caller's hand on a running reconstruction. All members are optional. Where one of the functions throws,
+/// the reconstruction ends with Status::Cancelled and says what was thrown (std::bad_alloc: OutOfMemory).
 struct Execution {
   /// Called from the calling thread with the share done, 0 to 1 and never falling, and the room at work.
   std::function<void(double share, const char* room)> progress;
 
-  /// Set it from any thread: the reconstruction ends soon with Status::Cancelled.
+  /// Set it from any thread: the reconstruction ends soon with Status::Cancelled (of a million
+  /// points, within about a second; while a film evolves, after the step at work).
   const std::atomic<bool>* cancel = nullptr;
 
   /// Called with the film after every step (0: the initial surface), in the caller's coordinates.

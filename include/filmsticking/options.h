@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "filmsticking/export.h"
@@ -68,6 +69,10 @@ struct Options {
 
   /// Threads; 0: all that the machine has. The result is the same for every number.
   int threads = 0;
+
+  /// Bytes that a reconstruction may take, beside the points handed in; 0: no limit. What it needs is estimated
+  /// (from above, for a carved surface) before it is taken; one that needs more ends with Status::OutOfMemory.
+  std::int64_t max_memory = 0;
 
   /// A closed oriented 2-manifold, for InitialSurface::Given.
   std::shared_ptr<const Mesh> guiding_surface;

@@ -32,6 +32,7 @@ struct Report {
   std::int64_t duplicates = 0;    ///< points left out because an equal one came before
   std::int64_t interpolated = 0;  ///< sites that are vertices of the result
   std::int64_t outliers = 0;      ///< sites left off because no others are near (see Options::keep_outliers)
+  std::int64_t tetrahedra = 0;    ///< of the sites' Delaunay triangulation
   std::int64_t inserted = 0;      ///< of these, brought on one by one at the end
   std::int64_t triangles = 0;     ///< of the result
   std::int64_t components = 0;    ///< connected pieces of the result

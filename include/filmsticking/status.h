@@ -14,8 +14,9 @@ enum class Status {
   InvalidOptions,         ///< an option is out of its range
   InvalidGuidingSurface,  ///< the given guiding surface is not a closed oriented 2-manifold
   NoSurface,              ///< no closed surface through the points was found
-  Cancelled,              ///< the caller asked to stop
-  OutOfMemory,            ///< an allocation failed
+  TooComplex,             ///< the points' Delaunay triangulation is out of proportion to their number
+  Cancelled,              ///< the caller asked to stop, or a function of the caller's threw
+  OutOfMemory,            ///< an allocation failed, or more than Options::max_memory would be needed
   InternalError,          ///< a broken promise inside; please report it
 };
 

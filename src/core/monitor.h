@@ -3,14 +3,35 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
+#include <new>
+#include <string>
+#include <utility>
 
 #include "filmsticking/execution.h"
 #include "filmsticking/report.h"
+#include "work_limits.h"
 
 namespace filmsticking {
 
-/// Thrown inside the library when the caller asked to stop; never leaves it.
-struct Cancelled {};
+/// Thrown inside the library when one of the caller's functions threw; never leaves it.
+struct CallbackThrew {
+  std::string what;
+};
+
+/// Runs a function of the caller's. What it throws must not be taken for a failure of the library.
+template <class Call>
+void call_back(const Call& call) {
+  try {
+    call();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw CallbackThrew{error.what()};
+  } catch (...) {
+    throw CallbackThrew{"an exception of unknown type"};
+  }
+}
 
 /// Keeps the time by rooms, tells the caller how far the work is, and listens for the caller's stop.
 class Monitor {
@@ -33,12 +54,13 @@ class Monitor {
   }
 
   void progress(double share) {
-    if (execution_.cancel != nullptr && execution_.cancel->load()) throw Cancelled{};
+    cancel()();
     share_ = std::max(share_, std::min(share, 1.0));
-    if (execution_.progress) execution_.progress(share_, room_);
+    if (execution_.progress) call_back([&] { execution_.progress(share_, room_); });
   }
 
   double share() const { return share_; }
+  Cancel cancel() const { return {execution_.cancel}; }
   const Execution& execution() const { return execution_; }
 
  private:

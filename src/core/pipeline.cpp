@@ -84,6 +84,7 @@ void Pipeline::prepare(std::unique_ptr<DelaunayTriangulation> triangulation) {
   if (options_.initial_surface != InitialSurface::Carve) voronoi_ = triangulation->voronoi();
   Tetrahedra tetrahedra = triangulation->tetrahedra();
   triangulation.reset();  // it is large
+  report_.tetrahedra = static_cast<std::int64_t>(tetrahedra.size());
   mesh_ = make_tetrahedral_mesh(std::move(tetrahedra), sites_.perturbed);
   monitor_.enter("local evidence", 0.15);
   // The first belief's carving is one long thread of work that the evidence can run beside.
@@ -99,7 +100,7 @@ void Pipeline::show(const GuidingSurface& film) const {
   Mesh mesh;
   for (const Vec3& p : film.positions) mesh.positions.push_back(sites_.to_input(p));
   mesh.triangles.assign(film.triangles.begin(), film.triangles.end());
-  monitor_.execution().on_step(static_cast<int>(report_.steps.size()), mesh);
+  call_back([&] { monitor_.execution().on_step(static_cast<int>(report_.steps.size()), mesh); });
 }
 
 GuidingSurface Pipeline::evolve(GuidingSurface film, const std::vector<Vec3>& sites, int max_steps,
@@ -165,7 +166,7 @@ Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conv
   std::size_t labels_off = n + 1, aim_off = n + 1, last_off = n;
   for (int i = 0; i < kCuts; ++i) {
     monitor_.enter("sculpting", monitor_.share());
-    const std::vector<char> inside = sculpt(mesh_, evidence_, hold, open);
+    const std::vector<char> inside = sculpt(mesh_, evidence_, hold, open, monitor_.cancel());
     std::vector<char> sides(n, 0);  // of each site: 1 inside, 2 outside, 3 both: it is on the surface
     for (std::size_t t = 0; t < mesh_.size(); ++t)
       for (Index v : mesh_.tets.corners[t])
@@ -191,7 +192,7 @@ Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conv
   if (2 * aim_off > n) return candidate;
 
   monitor_.enter("manifold", monitor_.share());
-  ManifoldLabels manifold(mesh_, geometry_, costs, labels);
+  ManifoldLabels manifold(mesh_, geometry_, costs, labels, monitor_.cancel());
   manifold.repair(options_.open_boundary ? manifold_without_bridges(tetrahedral_boundary(mesh_, labels),
                                                                     sites_.perturbed, geometry_)
                                          : std::vector<char>());
@@ -269,12 +270,12 @@ bool Pipeline::settled(const Candidate& candidate) const {
 // where there is no telling inside from outside (open surfaces), by the film from the sphere.
 Pipeline::Candidate Pipeline::carve() {
   monitor_.enter("signed field", 0.25);
-  Candidate best = cut(signed_field(mesh_, evidence_, std::move(guess_)), kConviction);
+  Candidate best = cut(signed_field(mesh_, evidence_, std::move(guess_), monitor_.cancel()), kConviction);
   if (best.weak <= kLittleTrouble && !best.film.triangles.empty()) return best;
   best = judged(std::move(best));
   if (best.weak > kNoInside) {
     monitor_.enter("two sides", monitor_.share());
-    Candidate sides = judged(cut(two_sides(mesh_, sites_.perturbed, evidence_, geometry_), kSidesConviction,
+    Candidate sides = judged(cut(two_sides(mesh_, sites_.perturbed, evidence_, geometry_, monitor_.cancel()), kSidesConviction,
                                  options_.open_boundary));
     const double complexity =
         static_cast<double>(sides.quality.complexity) / static_cast<double>(sites_.size());

@@ -4,10 +4,17 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Regular_triangulation_3.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
 
 #include <algorithm>
+#include <exception>
+#include <numeric>
+#include <system_error>
+#include <thread>
 #include <utility>
 
 #include "parallel.h"
@@ -26,6 +33,27 @@ using RegularVertex =
 using RegularCell = CGAL::Regular_triangulation_cell_base_3<Kernel>;
 using Regular =
     CGAL::Regular_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<RegularVertex, RegularCell>>;
+
+// CGAL keeps scratch for each thread, and what an allocation that failed in the middle leaves there would
+// spoil the thread's next triangulations: so each is made in a thread of its own.
+template <class Work>
+void in_own_thread(const Work& work) {
+  std::exception_ptr thrown;
+  std::thread thread;
+  try {
+    thread = std::thread([&] {
+      try {
+        work();
+      } catch (...) {
+        thrown = std::current_exception();
+      }
+    });
+  } catch (const std::system_error&) {  // there is no more
+    return work();
+  }
+  thread.join();
+  if (thrown) std::rethrow_exception(thrown);
+}
 
 Kernel::Point_3 cgal_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -75,12 +103,32 @@ struct DelaunayTriangulation::Impl {
   std::vector<Delaunay::Vertex_handle> vertex;
 };
 
-DelaunayTriangulation::DelaunayTriangulation(std::vector<Vec3> sites) : impl_(new Impl) {
+DelaunayTriangulation::DelaunayTriangulation(std::vector<Vec3> sites, const TriangulationLimits& limits)
+    : impl_(new Impl) {
   impl_->sites = std::move(sites);
-  std::vector<std::pair<Kernel::Point_3, Index>> points;
+  std::vector<Kernel::Point_3> points;
   points.reserve(impl_->sites.size());
-  for (const Vec3& p : impl_->sites) points.emplace_back(cgal_point(p), static_cast<Index>(points.size()));
-  impl_->triangulation.insert(points.begin(), points.end());
+  for (const Vec3& p : impl_->sites) points.push_back(cgal_point(p));
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto place = CGAL::make_property_map(points);
+  CGAL::spatial_sort(order.begin(), order.end(),
+                     CGAL::Spatial_sort_traits_adapter_3<Kernel, decltype(place)>(place));
+  // The order is one of growing random samples, so that a triangulation of many tetrahedra shows early.
+  constexpr std::size_t kOften = 256;
+  Delaunay& triangulation = impl_->triangulation;
+  const auto insert_all = [&] {
+    Delaunay::Vertex_handle last;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      last = triangulation.insert(points[order[i]], last);
+      last->info() = static_cast<Index>(order[i]);
+      if (i % kOften != 0) continue;
+      limits.cancel();
+      if (static_cast<std::int64_t>(triangulation.tds().number_of_cells()) > limits.tetrahedra)
+        throw TooManyTetrahedra{};
+    }
+  };
+  in_own_thread(insert_all);
   impl_->vertex.resize(impl_->sites.size());
   for (auto v : impl_->triangulation.finite_vertex_handles()) impl_->vertex[v->info()] = v;
 }
@@ -132,7 +180,7 @@ PowerDiagram weighted_power_diagram(const std::vector<Vec3>& sites, const std::v
     if (present[i])
       points.emplace_back(Regular::Weighted_point(cgal_point(sites[i]), weights[i]), static_cast<Index>(i));
   Regular triangulation;
-  triangulation.insert(points.begin(), points.end());
+  in_own_thread([&] { triangulation.insert(points.begin(), points.end()); });
   PowerDiagram diagram;
   diagram.position = sites;
   diagram.weight = weights;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "work_limits.h"
 #include "vec.h"
 
 namespace filmsticking {
@@ -42,9 +43,11 @@ struct Tetrahedra {
 };
 
 /// A Delaunay triangulation that sites can leave. Sites at the same place count once.
+/// Throws TooManyTetrahedra as soon as its sites so far make more than are allowed: those of sites that lie on
+/// two curves grow with the square of their number.
 class DelaunayTriangulation {
  public:
-  explicit DelaunayTriangulation(std::vector<Vec3> sites);
+  explicit DelaunayTriangulation(std::vector<Vec3> sites, const TriangulationLimits& limits = {});
   ~DelaunayTriangulation();
   DelaunayTriangulation(const DelaunayTriangulation&) = delete;
   DelaunayTriangulation& operator=(const DelaunayTriangulation&) = delete;

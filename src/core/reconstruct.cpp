@@ -9,7 +9,9 @@
 #include <cmath>
 #include <memory>
 #include <new>
+#include <optional>
 
+#include "work_limits.h"
 #include "monitor.h"
 #include "open_surface.h"
 #include "orientation.h"
@@ -30,6 +32,29 @@ void fail(Result& result, Status status, std::string message) {
   result.gaps.clear();
 }
 
+// Memory of the largest moment, in bytes: by the points, the sites and the tetrahedra. Measured, and rounded up.
+constexpr std::int64_t kBytesPerPoint = 32, kBytesPerSite = 500, kBytesPerTetrahedron = 300;
+// Sites on a surface have about this many tetrahedra each, and no sampled surface comes near the next figure;
+// below the last none are too many.
+constexpr std::int64_t kUsualTetrahedra = 6, kMostTetrahedra = 64, kFewTetrahedra = 1000000;
+
+std::int64_t bytes_for(std::int64_t points, std::int64_t sites, std::int64_t tetrahedra) {
+  return kBytesPerPoint * points + kBytesPerSite * sites + kBytesPerTetrahedron * tetrahedra;
+}
+
+std::string megabytes(std::int64_t bytes) { return std::to_string((bytes + 999999) / 1000000) + " MB"; }
+
+// Why a triangulation of more than these tetrahedra is not made; nothing if it may be.
+std::optional<std::pair<Status, std::string>> refusal(std::int64_t points, std::int64_t sites,
+                                                      std::int64_t tetrahedra, std::int64_t max_memory) {
+  if (const std::int64_t bytes = bytes_for(points, sites, tetrahedra); max_memory > 0 && bytes > max_memory)
+    return std::pair(Status::OutOfMemory, "more than " + megabytes(bytes) + " of memory would be needed, and " +
+                                              megabytes(max_memory) + " are allowed");
+  if (tetrahedra >= kFewTetrahedra + kMostTetrahedra * sites)
+    return std::pair(Status::TooComplex, std::string(describe(Status::TooComplex)));
+  return {};
+}
+
 // Empty if the options are fine.
 std::string complaint(const Options& o) {
   if (o.virtual_sites < Options::kAdaptiveVirtualSites)
@@ -37,6 +62,7 @@ std::string complaint(const Options& o) {
   if (o.max_steps < 1) return "at least one film step is needed";
   if (o.max_rounds < 0) return "the number of rounds must not be negative";
   if (o.threads < 0) return "the number of threads must not be negative";
+  if (o.max_memory < 0) return "the memory allowed must not be negative";
   return {};
 }
 
@@ -130,6 +156,8 @@ void run(const std::vector<Point>& points, const Options& options, const Executi
     return fail(result, Status::InvalidGuidingSurface, describe(Status::InvalidGuidingSurface));
 
   Monitor monitor(execution, report);
+  if (const auto no = refusal(report.points, 0, 0, options.max_memory))
+    return fail(result, no->first, no->second);
   monitor.enter("sites", 0);
   SiteSet sites = make_site_set(points);
   report.sites = static_cast<std::int64_t>(sites.size());
@@ -141,14 +169,29 @@ void run(const std::vector<Point>& points, const Options& options, const Executi
                     std::to_string(sites.size()));
   if (sites.coplanar()) return fail(result, Status::Coplanar, describe(Status::Coplanar));
 
+  if (const auto no = refusal(report.points, report.sites, kUsualTetrahedra * report.sites, options.max_memory))
+    return fail(result, no->first, no->second);
+  TriangulationLimits limits{kFewTetrahedra + kMostTetrahedra * report.sites, monitor.cancel()};
+  if (options.max_memory > 0)
+    limits.tetrahedra =
+        std::min(limits.tetrahedra,
+                 (options.max_memory - bytes_for(report.points, report.sites, 0)) / kBytesPerTetrahedron + 1);
+
   monitor.enter("triangulation", 0.02);
   // Outliers are rare: the triangulation does not wait for the search for them, but is made again.
   SiteGeometry geometry;
   std::unique_ptr<DelaunayTriangulation> triangulation;
-  tbb::parallel_invoke([&] { triangulation = std::make_unique<DelaunayTriangulation>(sites.perturbed); },
-                       [&] { geometry = site_geometry(sites.perturbed); });
-  if (!options.keep_outliers) report.outliers = drop_outliers(sites, geometry);
-  if (report.outliers > 0) triangulation = std::make_unique<DelaunayTriangulation>(sites.perturbed);
+  try {
+    tbb::parallel_invoke(
+        [&] { triangulation = std::make_unique<DelaunayTriangulation>(sites.perturbed, limits); },
+        [&] { geometry = site_geometry(sites.perturbed); });
+    if (!options.keep_outliers) report.outliers = drop_outliers(sites, geometry);
+    if (report.outliers > 0)
+      triangulation = std::make_unique<DelaunayTriangulation>(sites.perturbed, limits);
+  } catch (const TooManyTetrahedra&) {
+    const auto no = refusal(report.points, report.sites, limits.tetrahedra, options.max_memory);
+    return fail(result, no->first, no->second);
+  }
 
   Pipeline pipeline(sites, geometry, options, monitor, report);
   GuidingSurface film = pipeline.run(std::move(triangulation));
@@ -198,6 +241,9 @@ const char* describe(Status status) noexcept {
       return "the guiding surface given is not a closed oriented 2-manifold";
     case Status::NoSurface:
       return "no closed surface through the points was found";
+    case Status::TooComplex:
+      return "the points' Delaunay triangulation is far larger than that of any surface, as of points on two "
+             "curves";
     case Status::Cancelled:
       return "the reconstruction was cancelled";
     case Status::OutOfMemory:
@@ -224,6 +270,8 @@ Result reconstruct(const std::vector<Point>& points, const Options& options,
     arena.execute([&] { run(points, options, execution, result); });
   } catch (const Cancelled&) {
     failed(Status::Cancelled, describe(Status::Cancelled));
+  } catch (const CallbackThrew& threw) {
+    failed(Status::Cancelled, threw.what.c_str());
   } catch (const std::bad_alloc&) {
     failed(Status::OutOfMemory, describe(Status::OutOfMemory));
   } catch (const std::exception& e) {

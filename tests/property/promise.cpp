@@ -62,6 +62,7 @@ std::string fault_of(const Result& result, const std::vector<Point>& points, boo
     case Status::TooFewPoints:
     case Status::Coplanar:
     case Status::NoSurface:
+    case Status::TooComplex:  // tetrahedra by the hundred a point
       if (!result.vertices.empty() || !result.triangles.empty()) return "a failure has a mesh";
       return result.message.empty() ? "a failure has no message" : "";
     default:

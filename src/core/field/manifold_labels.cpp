@@ -36,10 +36,12 @@ void unique_sorted(std::vector<Index>& v) {
 }  // namespace
 
 ManifoldLabels::ManifoldLabels(const TetrahedralMesh& mesh, const SiteGeometry& geometry,
-                               const LabelCosts& costs, std::vector<char>& inside)
+                               const LabelCosts& costs, std::vector<char>& inside,
+                               const Cancel& cancel)
     : mesh_(mesh),
       geometry_(geometry),
       costs_(costs),
+      cancel_(cancel),
       inside_(inside),
       seed_(geometry.near.size(), kNone),
       census_(geometry.near.size()),
@@ -239,6 +241,7 @@ double ManifoldLabels::least_cost(const Move& move, double piece) {
 
 // What a move would change. Leaves the labels as they are.
 ManifoldLabels::Effect ManifoldLabels::effect(const Move& move) {
+  cancel_();
   Effect e;
   int facets = 0;
   touched_.clear();
@@ -273,6 +276,7 @@ const std::vector<Index>& ManifoldLabels::sites_of(const Move& move) {
 // Makes a move, and adds the sites that are singular then to a list. Returns the censuses of sites_of(move)
 // before it.
 std::vector<ManifoldLabels::Census> ManifoldLabels::apply(const Move& move, std::vector<Index>& singular) {
+  cancel_();
   for (Index t : move) inside_[t] = !inside_[t];
   std::vector<Census> before;
   for (Index v : sites_of(move)) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "work_limits.h"
 #include "site_geometry.h"
 #include "tetrahedral_mesh.h"
 
@@ -41,7 +42,7 @@ class ManifoldLabels {
  public:
   /// `inside` is read and relabelled in place; infinite tetrahedra must be outside and stay there.
   ManifoldLabels(const TetrahedralMesh& mesh, const SiteGeometry& geometry, const LabelCosts& costs,
-                 std::vector<char>& inside);
+                 std::vector<char>& inside, const Cancel& cancel = {});
 
   /// Makes the surface a manifold, but for sites marked `exempt`. The others need that it is one, or leave it
   /// as it is.
@@ -104,6 +105,7 @@ class ManifoldLabels {
   const TetrahedralMesh& mesh_;
   const SiteGeometry& geometry_;
   const LabelCosts& costs_;
+  const Cancel cancel_;
   std::vector<char>& inside_;
   LabelCounts counts_;
   double site_cost_ = 0;     // the mean of costs_.off

@@ -20,7 +20,9 @@ class Solver {
         time_(n_, 0),
         distance_(n_, 0) {}
 
-  std::vector<char> solve(const std::vector<char>& fallback) {
+  // Ends: a bridge raises the flow, which is of whole numbers and no more than the terminals hold; without
+  // one a node less is active, and nodes become active again only with a bridge.
+  std::vector<char> solve(const std::vector<char>& fallback, const Cancel& cancel) {
     for (Index i = 0; i < n_; ++i)
       if (g_.terminal[i] != 0) {
         tree_[i] = g_.terminal[i] > 0 ? 1 : -1;
@@ -29,9 +31,10 @@ class Solver {
         activate(i);
       }
     Index current = kNone;
-    for (;;) {
+    for (std::uint64_t turns = 0;;) {
       if (current == kNone || tree_[current] == 0) current = next_active();
       if (current == kNone) break;
+      if (++turns % 4096 == 0) cancel();
       const Index bridge = grow(current);  // an arc from the source's tree to the sink's
       ++clock_;
       if (bridge == kNone) {
@@ -183,8 +186,8 @@ class Solver {
 
 }  // namespace
 
-std::vector<char> minimum_cut(CutGraph& graph, const std::vector<char>& fallback) {
-  return Solver(graph).solve(fallback);
+std::vector<char> minimum_cut(CutGraph& graph, const std::vector<char>& fallback, const Cancel& cancel) {
+  return Solver(graph).solve(fallback, cancel);
 }
 
 }  // namespace filmsticking

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "work_limits.h"
 #include "vec.h"
 
 namespace filmsticking {
@@ -21,6 +22,6 @@ struct CutGraph {
 /// The side of each node in a minimum cut: 1 source, 0 sink. Boykov and Kolmogorov, "An experimental
 /// comparison of min-cut/max-flow algorithms" (2004). Nodes that neither tree reaches are on the sink's side
 /// unless their `fallback` says otherwise. `capacity` and `terminal` are used up.
-std::vector<char> minimum_cut(CutGraph& graph, const std::vector<char>& fallback);
+std::vector<char> minimum_cut(CutGraph& graph, const std::vector<char>& fallback, const Cancel& cancel = {});
 
 }  // namespace filmsticking

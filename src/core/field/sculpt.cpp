@@ -15,7 +15,7 @@ constexpr std::int64_t kMostCapacity = 1000000000;
 }  // namespace
 
 std::vector<char> sculpt(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
-                         const std::vector<double>& hold, bool open) {
+                         const std::vector<double>& hold, bool open, const Cancel& cancel) {
   CutGraph graph{mesh.mirror, {}, {}};
   graph.capacity.resize(mesh.size());
   graph.terminal.resize(mesh.size());
@@ -37,7 +37,7 @@ std::vector<char> sculpt(const TetrahedralMesh& mesh, const FacetEvidence& evide
     graph.terminal[t] = infinite ? -(std::int64_t(1) << 50) : hold[t] > 0 ? held : -held;
     fallback[t] = !infinite && hold[t] > 0;
   }
-  std::vector<char> inside = minimum_cut(graph, fallback);
+  std::vector<char> inside = minimum_cut(graph, fallback, cancel);
   for (std::size_t t = 0; t < mesh.size(); ++t)
     if (!open && mesh.tets.infinite(static_cast<Index>(t))) inside[t] = 0;
   return inside;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "facet_evidence.h"
+#include "work_limits.h"
 #include "tetrahedral_mesh.h"
 
 namespace filmsticking {
@@ -14,6 +15,6 @@ namespace filmsticking {
 /// (area). Infinite ones are outside whatever it says, unless the surface may be `open`: then it may reach
 /// infinity, which is where its rim is.
 std::vector<char> sculpt(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
-                         const std::vector<double>& hold, bool open = false);
+                         const std::vector<double>& hold, bool open = false, const Cancel& cancel = {});
 
 }  // namespace filmsticking

@@ -16,7 +16,7 @@ constexpr double kTolerance = 4e-4;
 }  // namespace
 
 std::vector<double> signed_field(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
-                                 std::vector<double> guess) {
+                                 std::vector<double> guess, const Cancel& cancel) {
   const std::size_t n = mesh.size();
   std::vector<std::array<float, 4>> coupling(n);
   std::vector<double> diagonal(n), x = std::move(guess), residual(n), direction(n), image(n);
@@ -49,6 +49,7 @@ std::vector<double> signed_field(const TetrahedralMesh& mesh, const FacetEvidenc
   });
   const double enough = kTolerance * kTolerance * scale;
   for (int iteration = 0; iteration < kMaxIterations && rz > enough; ++iteration) {
+    cancel();
     const double curvature = parallel_sum(n, [&](std::size_t t) {
       image[t] = given(t) ? 0 : row(direction, t);
       return direction[t] * image[t];

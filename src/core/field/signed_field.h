@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "facet_evidence.h"
+#include "work_limits.h"
 #include "tetrahedral_mesh.h"
 
 namespace filmsticking {
@@ -16,6 +17,6 @@ namespace filmsticking {
 /// from a `guess`, one value per tetrahedron.
 /// Belief per tetrahedron: about 1 inside, -1 outside, near 0 where the evidence contradicts itself.
 std::vector<double> signed_field(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
-                                 std::vector<double> guess);
+                                 std::vector<double> guess, const Cancel& cancel = {});
 
 }  // namespace filmsticking

@@ -56,8 +56,9 @@ class Contraction {
   }
 
   /// Ends: every contraction leaves one cluster less, and every entry is taken once.
-  SignedClusters run() {
-    while (!strongest_.empty()) {
+  SignedClusters run(const Cancel& cancel) {
+    for (std::uint64_t turns = 0; !strongest_.empty(); ++turns) {
+      if (turns % 4096 == 0) cancel();
       const auto [strength, minus_e] = strongest_.top();
       strongest_.pop();
       if (std::abs(weight_[-minus_e]) == strength) contract(-minus_e);
@@ -137,7 +138,8 @@ class Contraction {
 }  // namespace
 
 std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
-                              const FacetEvidence& evidence, const SiteGeometry& geometry) {
+                              const FacetEvidence& evidence, const SiteGeometry& geometry,
+                              const Cancel& cancel) {
   std::vector<double> weight(4 * mesh.size(), 0);
   parallel_each(mesh.size(), [&](std::size_t t) {
     for (int k = 0; k < 4; ++k) {
@@ -152,7 +154,7 @@ std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec
           kVoteCoupling[evidence.votes[t][k]] * std::min<double>(evidence.area[t][k], sample) * near * near;
     }
   });
-  SignedClusters clusters = Contraction(mesh, std::move(weight)).run();
+  SignedClusters clusters = Contraction(mesh, std::move(weight)).run(cancel);
 
   std::vector<double> hull(mesh.size(), 0);  // of a root: its area with its sign less that with the other
   for (std::size_t t = 0; t < mesh.size(); ++t) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "facet_evidence.h"
+#include "work_limits.h"
 #include "site_geometry.h"
 #include "tetrahedral_mesh.h"
 
@@ -18,6 +19,7 @@ namespace filmsticking {
 /// one, again and again, with the signs that it asks for: greedy additive edge contraction (Keuper et al.
 /// 2015) for two colours. At last the colour that has more of the hull is outside.
 std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
-                              const FacetEvidence& evidence, const SiteGeometry& geometry);
+                              const FacetEvidence& evidence, const SiteGeometry& geometry,
+                              const Cancel& cancel = {});
 
 }  // namespace filmsticking

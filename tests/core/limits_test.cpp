@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What reconstruct() does where memory, time or patience are short.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <new>
+#include <stdexcept>
+#include <thread>
+
+#include "filmsticking/reconstruct.h"
+#include "support/clouds.h"
+
+namespace {
+// The allocation that fails, counted down; below 0 none does.
+std::atomic<std::int64_t> until_failure{-1}, allocations{0};
+
+void* allocate(std::size_t size, std::size_t alignment) {
+  ++allocations;
+  if (until_failure >= 0 && until_failure-- == 0) return nullptr;
+  return alignment <= alignof(std::max_align_t)
+             ? std::malloc(size > 0 ? size : 1)
+             : std::aligned_alloc(alignment, (size + alignment) / alignment * alignment);
+}
+void* allocate_or_throw(std::size_t size, std::size_t alignment) {
+  void* memory = allocate(size, alignment);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+}  // namespace
+
+void* operator new(std::size_t size) { return allocate_or_throw(size, 1); }
+void* operator new[](std::size_t size) { return allocate_or_throw(size, 1); }
+void* operator new(std::size_t size, std::align_val_t to) {
+  return allocate_or_throw(size, static_cast<std::size_t>(to));
+}
+void* operator new[](std::size_t size, std::align_val_t to) {
+  return allocate_or_throw(size, static_cast<std::size_t>(to));
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocate(size, 1); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return allocate(size, 1); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace filmsticking {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Every point of one line is a Delaunay neighbour of every point of the other.
+std::vector<Point> skew_lines(int n) {
+  test::Random random(1);
+  std::vector<Point> points;
+  for (int i = 0; i < n; ++i) {
+    const double x = random.uniform(-1, 1);
+    points.push_back(i % 2 ? Point{x, -0.5, 0} : Point{0, 0.5, x});
+  }
+  return points;
+}
+
+void expect_empty(const Result& result, Status status) {
+  EXPECT_EQ(result.status, status) << result.message;
+  EXPECT_FALSE(result.message.empty());
+  EXPECT_TRUE(result.vertices.empty() && result.triangles.empty() && result.gaps.empty());
+}
+
+TEST(Limits, AQuadraticTriangulationIsRefused) {
+  for (const int n : {10000, 30000}) expect_empty(reconstruct(skew_lines(n)), Status::TooComplex);
+  const Result small = reconstruct(skew_lines(400));
+  EXPECT_GT(small.report.tetrahedra, 30000);  // quadratic as well, but there are few
+  EXPECT_NE(small.status, Status::TooComplex);
+}
+
+TEST(Limits, SurfacesAreFarFromTheBound) {
+  std::vector<Point> tower = test::torus(3000, 1, 1, 0.01);
+  test::Random random(2);
+  for (int i = 0; i < 3000; ++i) {
+    const double turn = random.uniform(0, 2 * M_PI);
+    tower.push_back({std::cos(turn), std::sin(turn), random.uniform(2, 10)});
+  }
+  for (const auto& points :
+       {test::sphere(8000, 1), test::torus(8000, 1), test::box(8000, 1, {1, 1, 0.01}), tower}) {
+    const Result result = reconstruct(points);
+    EXPECT_EQ(result.status, Status::Ok);
+    EXPECT_LT(result.report.tetrahedra, 21 * result.report.sites);
+  }
+}
+
+TEST(Limits, TooLittleMemoryIsToldBeforeItIsTaken) {
+  const auto points = test::torus(5000, 1);
+  Options options;
+  for (const std::int64_t bytes : {std::int64_t{1}, std::int64_t{400000}, std::int64_t{4000000}}) {
+    options.max_memory = bytes;
+    const Result result = reconstruct(points, options);
+    expect_empty(result, Status::OutOfMemory);
+    EXPECT_NE(result.message.find("would be needed"), std::string::npos);
+  }
+  options.max_memory = 40000000;
+  EXPECT_EQ(reconstruct(points, options).status, Status::Ok);
+  EXPECT_EQ(reconstruct(skew_lines(4000), options).status, Status::OutOfMemory);  // seen while it grows
+  options.max_memory = -1;
+  expect_empty(reconstruct(points, options), Status::InvalidOptions);
+}
+
+TEST(Limits, CancelIsHeardAtAnyMoment) {
+  const auto points = test::torus(20000, 1);
+  Options options;
+  options.threads = 1;
+  const auto start = Clock::now();
+  ASSERT_EQ(reconstruct(points, options).status, Status::Ok);
+  const double whole = seconds_since(start);
+  test::Random random(3);
+  for (int i = 0; i < 6; ++i) {
+    std::atomic<bool> cancel{false};
+    Execution execution;
+    execution.cancel = &cancel;
+    std::atomic<double> late{0};
+    const double moment = random.uniform(0, 0.9 * whole);
+    Clock::time_point asked;
+    std::thread other([&] {
+      std::this_thread::sleep_for(std::chrono::duration<double>(moment));
+      asked = Clock::now();
+      cancel = true;
+    });
+    const Result result = reconstruct(points, options, execution);
+    const auto end = Clock::now();
+    other.join();
+    if (result.status == Status::Ok) continue;  // it was faster this time
+    expect_empty(result, Status::Cancelled);
+    EXPECT_LT(std::chrono::duration<double>(end - asked).count(), 0.1 + 0.5 * whole);
+  }
+  EXPECT_EQ(reconstruct(points, options).status, Status::Ok);
+}
+
+TEST(Limits, WhatACallbackThrowsEndsIt) {
+  const auto points = test::torus(1000, 1);
+  for (int moment = 0; moment < 6; ++moment) {
+    Execution execution;
+    int calls = 0;
+    execution.progress = [&](double, const char*) {
+      if (calls++ == moment) throw std::runtime_error("the caller's reason");
+    };
+    const Result result = reconstruct(points, {}, execution);
+    expect_empty(result, Status::Cancelled);
+    EXPECT_EQ(result.message, "the caller's reason");
+  }
+  Execution execution;
+  execution.on_step = [](int, const Mesh&) { throw 1; };
+  expect_empty(reconstruct(points, {}, execution), Status::Cancelled);
+  execution.on_step = [](int, const Mesh&) { throw std::bad_alloc(); };
+  expect_empty(reconstruct(points, {}, execution), Status::OutOfMemory);
+}
+
+// Fails the k-th allocation for every k of a small reconstruction, and every `stride`th of a larger one.
+void sweep(const std::vector<Point>& points, Options options, std::int64_t stride) {
+  options.threads = 1;
+  const std::int64_t before = allocations;
+  const Result whole = reconstruct(points, options);
+  const std::int64_t count = allocations - before;
+  ASSERT_EQ(whole.status, Status::Ok);
+  ASSERT_GT(count, 10 * stride);
+  std::int64_t failed = 0;
+  for (std::int64_t k = 0; k < count; k += stride) {
+    until_failure = k;
+    const Result result = reconstruct(points, options);
+    until_failure = -1;
+    if (result.status == Status::Ok) {  // something did without the memory
+      ASSERT_EQ(result.triangles, whole.triangles) << k;
+      continue;
+    }
+    ++failed;
+    ASSERT_EQ(result.status, Status::OutOfMemory) << k << ": " << result.message;
+    ASSERT_TRUE(result.vertices.empty() && result.triangles.empty()) << k;
+  }
+  EXPECT_GT(failed, count / stride / 2);
+  const Result again = reconstruct(points, options);
+  EXPECT_EQ(again.vertices, whole.vertices);
+  EXPECT_EQ(again.triangles, whole.triangles);
+}
+
+TEST(Limits, AnyAllocationMayFail) {
+  sweep(test::sphere(30, 1), {}, 1);
+  sweep(test::torus(1500, 1), {}, 97);
+  Options film;
+  film.initial_surface = InitialSurface::Sphere;
+  film.max_steps = 6;
+  film.max_rounds = 1;
+  sweep(test::sphere(60, 1), film, 53);
+}
+
+}  // namespace
+}  // namespace filmsticking
