@@ -10,6 +10,8 @@ po::options_description reconstruction_arguments() {
   options.add_options()(
       "open", "leave out the faces that no points support: the surface that was seen, with its borders")(
       "keep-outliers", "bring on points that are far from all others, too")(
+      "max-memory", po::value<std::string>()->value_name("MB"),
+      "end with a message where the reconstruction would need more memory than this")(
       "preset", po::value<std::string>()->value_name("default|paper"),
       "where the options start from; paper: sphere, 1000 virtual sites, one Poisson round")(
       "init", po::value<std::string>()->value_name("sphere|wrap|carve"),
@@ -56,6 +58,9 @@ Options reconstruction_options(const Arguments& given) {
              [&](const auto& name, const auto& text) { options.max_rounds = parse_count(name, text, 1); });
   given.with("threads",
              [&](const auto& name, const auto& text) { options.threads = parse_count(name, text, 0); });
+  given.with("max-memory", [&](const auto& name, const auto& text) {
+    options.max_memory = std::int64_t{1000000} * parse_count(name, text, 1);
+  });
   options.open_boundary = given.has("open");
   options.keep_outliers = given.has("keep-outliers");
   if (given.has("no-weights")) options.weights = false;

@@ -196,6 +196,14 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   /** \brief Get whether outliers are brought on to the surface. */
   bool getKeepOutliers() const { return options_.keep_outliers; }
 
+  /** \brief Set the bytes that a reconstruction may take beside its input; 0, the default: no limit. One that
+   * would need more (by an estimate) ends with Status::OutOfMemory.
+   */
+  void setMaxMemory(std::int64_t max_memory) { options_.max_memory = max_memory; }
+
+  /** \brief Get the bytes that a reconstruction may take. */
+  std::int64_t getMaxMemory() const { return options_.max_memory; }
+
   /** \brief The gap that each output triangle bridges: the diameter of the smallest circle around it, in
    * spacings of the points there. About 1.5 where the points are dense enough for their surface; large where
    * the surface was closed without data. Empty on failure.
