@@ -79,7 +79,7 @@ std::optional<std::int64_t> euler_if_manifold(const Setting& s, const std::vecto
 }
 
 TEST(ManifoldLabels, AreAManifoldInEveryRoomForAnyLabels) {
-  std::int64_t singular = 0, reached = 0;
+  std::int64_t singular = 0, reached = 0, tunnels = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Setting s(seed % 2 ? test::sphere(120, seed) : test::torus(200, seed));
     std::vector<char> inside = random_labels(s.mesh, seed);
@@ -91,12 +91,56 @@ TEST(ManifoldLabels, AreAManifoldInEveryRoomForAnyLabels) {
     EXPECT_TRUE(euler_if_manifold(s, inside)) << seed;
     manifold.reach();
     EXPECT_TRUE(euler_if_manifold(s, inside)) << seed;
+    const auto before = euler_if_manifold(s, inside);
+    manifold.close_tunnels();
+    ASSERT_TRUE(euler_if_manifold(s, inside)) << seed;
+    EXPECT_EQ(*euler_if_manifold(s, inside) > *before, manifold.counts().tunnels > 0) << seed;
+    tunnels += manifold.counts().tunnels;
     singular += manifold.counts().singular, reached += manifold.counts().reached;
     for (std::size_t t = 0; t < inside.size(); ++t)
       EXPECT_FALSE(inside[t] && s.mesh.tets.infinite(static_cast<Index>(t)));
   }
   EXPECT_GT(singular, 0);  // there was something to do
   EXPECT_GT(reached, 0);
+  EXPECT_GT(tunnels, 0);
+}
+
+TEST(ManifoldLabels, ATunnelThatNoSamplesLineIsFilled) {
+  // A wall, and a gap in both of its sides.
+  std::vector<Point> points;
+  for (const Point& p : test::box(3000, 7, {1, 1, 0.06}))
+    if (std::hypot(p[0] - 0.5, p[1] - 0.5) > 0.03) points.push_back(p);
+  const Setting s(points);
+  std::vector<char> inside(s.mesh.size(), 0);
+  for (std::size_t t = 0; t < inside.size(); ++t) {
+    if (s.mesh.tets.infinite(static_cast<Index>(t))) continue;
+    const Point p = s.set.to_input(s.centre(t));
+    inside[t] = std::hypot(p[0] - 0.5, p[1] - 0.5) > 0.025;
+  }
+  const LabelCosts costs = costs_of(s);
+  ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
+  manifold.repair();
+  ASSERT_EQ(euler_if_manifold(s, inside), 0);
+  manifold.close_tunnels();
+  EXPECT_EQ(euler_if_manifold(s, inside), 2);
+}
+
+TEST(ManifoldLabels, ATunnelThatSamplesLineIsKept) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const Setting s(test::torus(1500, seed, 1, 0.8));  // its hole is some six spacings wide
+    std::vector<char> inside(s.mesh.size(), 0);
+    for (std::size_t t = 0; t < inside.size(); ++t) {
+      if (s.mesh.tets.infinite(static_cast<Index>(t))) continue;
+      const Point p = s.set.to_input(s.centre(t));
+      inside[t] = std::hypot(std::hypot(p[0], p[1]) - 1, p[2]) < 0.8;
+    }
+    const LabelCosts costs = costs_of(s);
+    ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
+    manifold.repair();
+    ASSERT_EQ(euler_if_manifold(s, inside), 0);
+    manifold.close_tunnels();
+    EXPECT_EQ(euler_if_manifold(s, inside), 0);
+  }
 }
 
 // A star is first searched as a list; a piece that was met when the list was full was written past its end,

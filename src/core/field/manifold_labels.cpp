@@ -28,11 +28,6 @@ constexpr std::size_t kWideStar = 400;
 // A star of no more tetrahedra is searched as a list.
 constexpr std::size_t kQuickStar = 96;
 
-void unique_sorted(std::vector<Index>& v) {
-  std::sort(v.begin(), v.end());
-  v.erase(std::unique(v.begin(), v.end()), v.end());
-}
-
 }  // namespace
 
 ManifoldLabels::ManifoldLabels(const TetrahedralMesh& mesh, const SiteGeometry& geometry,

@@ -25,10 +25,11 @@ struct LabelCounts {
   std::int64_t repairs = 0;   ///< moves that lowered the number of such sites
   std::int64_t erosions = 0;  ///< moves that only took from the inside, where none lowered it
   std::int64_t warped = 0;    ///< tetrahedra relabelled towards `aim`
+  std::int64_t tunnels = 0;   ///< plugs that filled a tunnel
   std::int64_t reached = 0;   ///< moves that brought single sites on to the surface
 };
 
-/// Relabels tetrahedra so that the surface between inside and outside is a 2-manifold, in three rooms.
+/// Relabels tetrahedra so that the surface between inside and outside is a 2-manifold, in four rooms.
 ///
 /// Guarantees, whatever the labels and costs:
 ///  - the surface is closed and a manifold. It is one exactly if at every site those tetrahedra of its star
@@ -37,7 +38,7 @@ struct LabelCounts {
 ///    of them. So all there is to keep is local;
 ///  - it does not cut itself, being part of a triangulation of space;
 ///  - it ends: the repair lowers the number of surplus pieces or else takes from the inside; the warp lowers
-///    the number of differences; the reach lowers the cost.
+///    the number of differences; the reach lowers the cost; each plug is tried once.
 class ManifoldLabels {
  public:
   /// `inside` is read and relabelled in place; infinite tetrahedra must be outside and stay there.
@@ -57,6 +58,12 @@ class ManifoldLabels {
   /// Brings sites off the surface on to it where relabelling one or two tetrahedra at the site does it, keeps
   /// the topology and costs less than the site is worth (sculpting by Boissonnat 1984, in both directions).
   void reach();
+
+  /// Fills narrow tunnels where that costs less than a tunnel is worth: where samples are random, both sides
+  /// of a thin wall have a gap at the same place now and then, which leaves a tunnel that no samples line. The
+  /// plugs that are tried are connected parts of what is outside and as narrow as a gap; one is taken if it
+  /// raises the Euler characteristic and parts nothing, so that there is a handle less and no piece more.
+  void close_tunnels();
 
   const LabelCounts& counts() const { return counts_; }
 
@@ -101,6 +108,9 @@ class ManifoldLabels {
   Move best_move(Index v, bool erode);
   Move best_reach(Index v, double share);
   void lower(std::vector<Index> singular, bool erode);
+  std::vector<Move> plugs(double radius) const;
+  bool parted(const Move& part, char label);
+  bool fill(const Move& plug);
 
   const TetrahedralMesh& mesh_;
   const SiteGeometry& geometry_;
@@ -118,7 +128,13 @@ class ManifoldLabels {
   // Scratch.
   std::vector<std::uint32_t> seen_;
   std::uint32_t stamp_ = 0;
-  std::vector<Index> waiting_, touched_, stuck_;
+  std::vector<Index> waiting_, touched_, stuck_, source_;
 };
+
+/// Sorts, and leaves one of each.
+inline void unique_sorted(std::vector<Index>& v) {
+  std::sort(v.begin(), v.end());
+  v.erase(std::unique(v.begin(), v.end()), v.end());
+}
 
 }  // namespace filmsticking

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ManifoldLabels: tunnels through walls that no samples line.
+#include <algorithm>
+#include <cstddef>
+
+#include "manifold_labels.h"
+
+namespace filmsticking {
+namespace {
+
+// Circumradii, in the largest spacing of the corners, up to which tetrahedra outside are taken for a part of
+// a plug, the narrowest first. Two sides of a thin wall have gaps of up to four spacings at the same place.
+constexpr double kPlugRadii[] = {1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
+// A larger plug fills no chance gap.
+constexpr std::size_t kLargestPlug = 3000;
+// What filling a tunnel is worth, in sites off the surface. A plug has two caps, which the votes are against
+// where the tunnel is real, and takes a wall away, which they are for then: that costs more.
+constexpr double kTunnelWorth = 3;
+
+}  // namespace
+
+// The tetrahedra outside that are small enough, by connected parts in rising order of size.
+std::vector<ManifoldLabels::Move> ManifoldLabels::plugs(double radius) const {
+  const auto small = [&](Index t) {
+    if (inside_[t] || mesh_.tets.infinite(t)) return false;
+    double spacing = 0;
+    for (Index v : mesh_.tets.corners[t]) spacing = std::max(spacing, geometry_.spacing[v]);
+    return mesh_.circumradius[t] < radius * spacing;
+  };
+  std::vector<char> met(mesh_.size(), 0);
+  std::vector<Move> parts;
+  for (std::size_t s = 0; s < mesh_.size(); ++s) {
+    if (met[s] || !small(static_cast<Index>(s))) continue;
+    met[s] = 1;
+    Move part{static_cast<Index>(s)};
+    std::size_t beside_outside = 0;
+    for (std::size_t i = 0; i < part.size(); ++i)
+      for (Index u : mesh_.tets.neighbours[part[i]]) {
+        if (met[u]) continue;
+        if (small(u)) {
+          met[u] = 1, part.push_back(u);
+        } else {
+          beside_outside += !inside_[u];
+        }
+      }
+    // A plug has two caps.
+    if (beside_outside < 2 || part.size() > kLargestPlug) continue;
+    std::sort(part.begin(), part.end());
+    parts.push_back(std::move(part));
+  }
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const Move& a, const Move& b) { return a.size() < b.size(); });
+  return parts;
+}
+
+// Is one label in several pieces around tetrahedra that were relabelled? All of it that is there is grown at
+// the same pace until it has met, or one piece ends: it takes no longer than the smaller piece.
+bool ManifoldLabels::parted(const Move& part, char label) {
+  ++stamp_;
+  std::vector<Index> queue, root, waiting;
+  const auto start_at = [&](Index t) {
+    if (seen_[t] != stamp_ && inside_[t] == label) seen_[t] = stamp_, queue.push_back(t);
+  };
+  for (Index t : part) {
+    start_at(t);
+    for (Index u : mesh_.tets.neighbours[t]) start_at(u);
+  }
+  source_.resize(mesh_.size());
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    root.push_back(static_cast<Index>(i)), waiting.push_back(1);
+    source_[queue[i]] = static_cast<Index>(i);
+  }
+  const auto find = [&](Index i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  std::size_t pieces = queue.size();
+  for (std::size_t i = 0; i < queue.size() && pieces > 1; ++i) {
+    const Index own = find(source_[queue[i]]);
+    for (Index u : mesh_.tets.neighbours[queue[i]]) {
+      if (inside_[u] != label) continue;
+      if (seen_[u] != stamp_) {
+        seen_[u] = stamp_, source_[u] = own;
+        queue.push_back(u);
+        ++waiting[own];
+      } else if (const Index other = find(source_[u]); other != own) {
+        root[other] = own, waiting[own] += waiting[other], --pieces;
+      }
+    }
+    if (--waiting[own] == 0) return pieces > 1;
+  }
+  return pieces > 1;
+}
+
+// Fills a plug and repairs what that makes singular, if a tunnel less is worth it all; else changes nothing.
+bool ManifoldLabels::fill(const Move& plug) {
+  const double worth = kTunnelWorth * site_cost_;
+  const Effect alone = effect(plug);
+  if (alone.surplus == 0 && (alone.euler <= 0 || alone.cost >= worth * alone.euler / 2)) return false;
+  double cost = 0;
+  int euler = 0;
+  std::vector<Index> singular, next, changed;
+  const auto make = [&](const Move& move, std::vector<Index>& then) {
+    const Effect e = effect(move);
+    cost += e.cost, euler += e.euler;
+    apply(move, then);
+    changed.insert(changed.end(), move.begin(), move.end());
+  };
+  make(plug, singular);
+  bool manifold = true;
+  // Every move lowers the number of surplus pieces, so this ends; a plug that needs as many as it is large is
+  // none.
+  while (!singular.empty() && manifold) {
+    unique_sorted(singular);
+    next.clear();
+    for (Index v : singular) {
+      if (!this->singular(v)) continue;
+      const Move move = best_move(v, false);
+      manifold = !move.empty() && changed.size() <= 4 * plug.size() + 16;
+      if (!manifold) break;
+      make(move, next);
+    }
+    singular.swap(next);
+  }
+  if (manifold && euler > 0 && cost < worth * euler / 2 && !parted(changed, 0) && !parted(changed, 1))
+    return true;
+  for (Index t : changed) inside_[t] = !inside_[t];
+  unique_sorted(changed);
+  for (Index v : sites_of(changed)) census_[v] = census(v);
+  return false;
+}
+
+void ManifoldLabels::close_tunnels() {
+  for (const double radius : kPlugRadii)
+    for (const Move& plug : plugs(radius)) {
+      // Another plug's repair may have been here.
+      const bool whole = std::none_of(plug.begin(), plug.end(), [&](Index t) { return inside_[t]; });
+      if (whole && grows(plug) && fill(plug)) ++counts_.tunnels;
+    }
+}
+
+}  // namespace filmsticking
