@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "canonical_order.h"
 #include "field/carve.h"
 #include "field/manifold_labels.h"
 #include "field/poisson.h"
@@ -85,7 +86,7 @@ void Pipeline::prepare(std::unique_ptr<DelaunayTriangulation> triangulation) {
   Tetrahedra tetrahedra = triangulation->tetrahedra();
   triangulation.reset();  // it is large
   report_.tetrahedra = static_cast<std::int64_t>(tetrahedra.size());
-  mesh_ = make_tetrahedral_mesh(std::move(tetrahedra), sites_.perturbed);
+  mesh_ = make_tetrahedral_mesh(in_canonical_order(std::move(tetrahedra), sites_.size()), sites_.perturbed);
   monitor_.enter("local evidence", 0.15);
   // The first belief's carving is one long thread of work that the evidence can run beside.
   const auto evidence = [&] { evidence_ = facet_evidence(mesh_, sites_.perturbed, geometry_); };
