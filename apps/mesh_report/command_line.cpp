@@ -59,6 +59,8 @@ With --truth
   normal_consistency  percent: mean of the two mean |cosines| between the normals of a point's own face and
                       of the nearest
   hausdorff           the largest of the distances
+  sharp_edges         edges of the truth that bend by more than 30 degrees, both ends vertices of the mesh
+  sharp_edges_restored  percent of them that are edges of the mesh; null without any
   genus_right, components_right   as the truth has it; a surface without a genus is never right
   topology_right      both are
   The distances are null where one of the two has no area.

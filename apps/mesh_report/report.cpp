@@ -23,6 +23,7 @@ TruthFit truth_fit(const Surface& mesh, const Topology& mesh_topology, const Sur
                    std::size_t samples) {
   TruthFit fit;
   fit.distances = truth_distances(mesh, truth, samples);
+  fit.sharp = sharp_edges(mesh, truth);
   const Topology truth_topology = topology(truth);
   fit.genus_right = mesh_topology.genus && mesh_topology.genus == truth_topology.genus;
   fit.components_right = mesh_topology.components == truth_topology.components;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cloud_fit.h"
+#include "sharp_edges.h"
 #include "topology.h"
 #include "truth_fit.h"
 
@@ -14,6 +15,7 @@ namespace filmsticking::mesh_report {
 /// A mesh against the true surface.
 struct TruthFit {
   std::optional<TruthDistances> distances;
+  SharpEdges sharp;
   bool genus_right = false;  ///< both have a genus, and it is the same
   bool components_right = false;
   bool topology_right() const { return genus_right && components_right; }

@@ -90,6 +90,9 @@ std::string to_text(const Report& report) {
     table.add("F-score at 0.005", distance("%.2f %%", &TruthDistances::f_score));
     table.add("normal consistency", distance("%.2f %%", &TruthDistances::normal_consistency));
     table.add("Hausdorff distance", distance("%.6f", &TruthDistances::hausdorff));
+    if (truth.sharp.restored)
+      table.add("sharp edges restored",
+                number("%.2f %%", *truth.sharp.restored) + " of " + std::to_string(truth.sharp.edges));
     table.add("genus right", yes(truth.genus_right));
     table.add("components right", yes(truth.components_right));
     table.add("topology right", yes(truth.topology_right()));
@@ -128,6 +131,8 @@ std::string to_json(const Report& report) {
         .add("f_score", distance(&TruthDistances::f_score))
         .add("normal_consistency", distance(&TruthDistances::normal_consistency))
         .add("hausdorff", distance(&TruthDistances::hausdorff))
+        .add("sharp_edges", report.truth->sharp.edges)
+        .add("sharp_edges_restored", report.truth->sharp.restored)
         .add("genus_right", report.truth->genus_right)
         .add("components_right", report.truth->components_right)
         .add("topology_right", report.truth->topology_right());

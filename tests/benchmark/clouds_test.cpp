@@ -208,6 +208,21 @@ TEST(Clouds, PatchesAreMissing) {
   EXPECT_NEAR(in_holes / 20000.0, 0.3, 0.02);
 }
 
+TEST(Clouds, VerticesAreThoseOfTheFacesOnceEach) {
+  Mesh box = make_box({1, 2, 3});
+  std::set<Point> corners(box.positions.begin(), box.positions.end());
+  box.positions.push_back({9, 9, 9});  // of no face
+  box.positions.push_back(box.positions[box.triangles[0][0]]);
+  box.triangles.push_back({static_cast<std::int32_t>(box.positions.size()) - 1, box.triangles[0][2],
+                           box.triangles[0][1]});
+  const std::vector<Point> points = make_cloud(box, spec_of(Sampling::Vertices, 3));
+  EXPECT_EQ(points.size(), corners.size());
+  EXPECT_EQ(std::set<Point>(points.begin(), points.end()), corners);
+  CloudSpec damaged = spec_of(Sampling::Vertices, 3);
+  damaged.missing = 0.1;
+  EXPECT_THROW(make_cloud(box, damaged), std::invalid_argument);
+}
+
 TEST(Clouds, WhatCannotBeSampledIsRefused) {
   EXPECT_THROW(make_cloud({}, CloudSpec()), std::invalid_argument);
   EXPECT_THROW(make_cloud(make_box({1, 0, 0}), CloudSpec()), std::invalid_argument);

@@ -14,13 +14,15 @@ const char* name_of(Sampling sampling) {
       return "poisson-disk";
     case Sampling::MixedDensity:
       return "mixed-density";
+    case Sampling::Vertices:
+      return "vertices";
   }
   return "monte-carlo";
 }
 
 Sampling sampling_of(const std::string& name) {
   std::string names;
-  for (const Sampling s : {Sampling::MonteCarlo, Sampling::PoissonDisk, Sampling::MixedDensity}) {
+  for (const Sampling s : {Sampling::MonteCarlo, Sampling::PoissonDisk, Sampling::MixedDensity, Sampling::Vertices}) {
     if (name == name_of(s)) return s;
     names += std::string(names.empty() ? "" : ", ") + name_of(s);
   }

@@ -10,6 +10,7 @@ enum class Sampling {
   MonteCarlo,    ///< uniform by area
   PoissonDisk,   ///< blue noise by sample elimination
   MixedDensity,  ///< blue noise, Monte Carlo and sparse regular in thirds
+  Vertices,      ///< the vertices of the mesh itself, all of them
 };
 
 /// The name on the command line; never null.
@@ -28,7 +29,7 @@ struct Noise {
 /// How a cloud is made from a mesh. The same values give the same points.
 struct CloudSpec {
   Sampling sampling = Sampling::MonteCarlo;
-  std::int64_t points = 10000;  ///< in all, outliers included; at least 1
+  std::int64_t points = 10000;  ///< in all, outliers included; at least 1; of no meaning for vertices
   std::uint64_t seed = 1;
   Noise noise;
   double outliers = 0;  ///< share of the points that are uniform in that box instead, 0 to 1

@@ -23,6 +23,8 @@ void check(const CloudSpec& spec) {
     throw std::invalid_argument("the outliers are a share from 0 to 1");
   if (!(spec.missing >= 0 && spec.missing <= 0.9))
     throw std::invalid_argument("the missing surface is a share from 0 to 0.9");
+  if (spec.sampling == Sampling::Vertices && spec.outliers + spec.missing > 0)
+    throw std::invalid_argument("a mesh's vertices come without outliers and with nothing missing");
 }
 
 std::vector<Sample> draw_samples(const SurfaceSampler& surface, Sampling sampling, std::size_t count,
@@ -42,6 +44,20 @@ double rounded(double x) {
   return kept;
 }
 
+/// The distinct corners of faces, once each.
+std::vector<Sample> vertex_samples(const Mesh& mesh) {
+  std::set<Point> places;
+  for (const Triangle& t : mesh.triangles)
+    for (const std::int32_t v : t) {
+      Point p = mesh.positions[static_cast<std::size_t>(v)];
+      for (double& x : p) x = rounded(x) + 0.0;  // -0 is 0
+      places.insert(p);
+    }
+  std::vector<Sample> samples;
+  for (const Point& p : places) samples.push_back({Vec3(p[0], p[1], p[2]), Vec3::Zero()});
+  return samples;
+}
+
 Point rounded(const Vec3& p) { return {rounded(p.x()), rounded(p.y()), rounded(p.z())}; }
 
 }  // namespace
@@ -52,8 +68,12 @@ std::vector<Point> make_cloud(const Mesh& mesh, const CloudSpec& spec) {
   Random random(spec.seed);
   surface.take_patches_away(spec.missing, random);
   const auto outliers = static_cast<std::size_t>(spec.outliers * static_cast<double>(spec.points) + 0.5);
-  const auto total = static_cast<std::size_t>(spec.points);
-  const std::vector<Sample> samples = draw_samples(surface, spec.sampling, total - outliers, random);
+  const bool vertices = spec.sampling == Sampling::Vertices;
+  const std::vector<Sample> samples =
+      vertices
+          ? vertex_samples(mesh)
+          : draw_samples(surface, spec.sampling, static_cast<std::size_t>(spec.points) - outliers, random);
+  const std::size_t total = samples.size() + outliers;
 
   const double spacing = std::sqrt(surface.area() / static_cast<double>(total));
   const double sigma = spec.noise.deviation * (spec.noise.in_spacings ? spacing : surface.diagonal());

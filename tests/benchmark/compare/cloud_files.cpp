@@ -65,6 +65,7 @@ CloudFiles prepare_cloud(const Input& input, const CloudSpec& spec, bool thin_cl
         io::write_model(files.truth, model);
       }
       points = make_cloud({model.positions, model.triangles}, spec);
+      files.row.set("points", std::to_string(points.size()));
     }
     io::write_model(files.cloud, {points, {}, {}});
   } catch (const io::IoError& error) {

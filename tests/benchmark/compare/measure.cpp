@@ -94,7 +94,8 @@ void set_judgement(Row& row, const CloudFiles& files, const std::string& mesh) {
                              "chamfer_e3",
                              "f_score",
                              "normal_consistency",
-                             "hausdorff"}) {
+                             "hausdorff",
+                             "sharp_edges_restored"}) {
     const std::string value = json.get<std::string>(column, "");
     row.set(column, value == "null" ? "" : value);
   }

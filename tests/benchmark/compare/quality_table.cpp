@@ -51,6 +51,11 @@ std::optional<double> ratio(const Rows& rows, const Rows& peer, const std::strin
   return geometric_mean(ratios);
 }
 
+/// Has the cloud as many points as its file, rather than as many as were asked for?
+bool own_size(const Row& row) {
+  return row.is("kind", "as it is") || row.text("kind").rfind("vertices", 0) == 0;
+}
+
 bool is_true(const Row& row, const char* column) { return row.is(column, "true"); }
 
 std::vector<std::string> quality_cells(const std::string& method, const Rows& rows, const Rows& peer) {
@@ -75,7 +80,8 @@ std::vector<std::string> quality_cells(const std::string& method, const Rows& ro
       rounded(ratio(rows, peer, "chamfer_e3"), 3),
       rounded(mean_of(rows, "f_score"), 4),
       rounded(mean_of(rows, "normal_consistency"), 4),
-      rounded(mean_of(rows, "hausdorff"), 3)};
+      rounded(mean_of(rows, "hausdorff"), 3),
+      rounded(mean_of(rows, "sharp_edges_restored"), 4)};
 }
 
 std::vector<std::string> cost_cells(const std::string& method, const Rows& rows, const Rows& peer) {
@@ -106,7 +112,7 @@ std::string quality_tables(const std::vector<Row>& rows, const std::vector<std::
   std::vector<std::string> titles;
   for (const Row& row : rows) {
     const std::string title = (by_shape ? row.text("shape") + ", " : "") + row.text("kind") + ", " +
-                              (row.is("kind", "as it is") ? "" : row.text("points") + " ") + "points";
+                              (own_size(row) ? "" : row.text("points") + " ") + "points";
     if (!groups.count(title)) titles.push_back(title);
     groups[title][row.text("method")].push_back(&row);
   }
@@ -117,7 +123,8 @@ std::string quality_tables(const std::vector<Row>& rows, const std::vector<std::
     std::vector<std::vector<std::string>> quality = {
         {"method", "clouds", "closed and manifold %", "topology right %", "no self-intersection %",
          "interpolated %", "boundary edges", "non-manifold edges", "non-manifold vertices",
-         "intersecting pairs", "components", "Chamfer x1e3", "x peer", "F-score", "normals %", "Hausdorff"}};
+         "intersecting pairs", "components", "Chamfer x1e3", "x peer", "F-score", "normals %", "Hausdorff",
+         "sharp edges %"}};
     std::vector<std::vector<std::string>> cost = {
         {"method", "seconds alone", "with needs", "x peer", "CPU seconds", "peak MB"}};
     for (const std::string& method : methods) {

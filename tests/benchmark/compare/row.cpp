@@ -45,7 +45,8 @@ const std::vector<std::string>& columns() {
                                                  "chamfer_e3",
                                                  "f_score",
                                                  "normal_consistency",
-                                                 "hausdorff"};
+                                                 "hausdorff",
+                                                 "sharp_edges_restored"};
   return names;
 }
 
