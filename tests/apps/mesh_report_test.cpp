@@ -583,7 +583,7 @@ TEST(MeshReportProgram, WritesATable) {
     if (count == 0) column = value;
     EXPECT_EQ(value, column) << line;
   }
-  EXPECT_EQ(count, 22u);
+  EXPECT_EQ(count, 23u);
   EXPECT_NE(outcome.out.find("no, 3 boundary edges\n"), std::string::npos) << outcome.out;
 }
 
