@@ -198,8 +198,8 @@ Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conv
                                                                     sites_.perturbed, geometry_)
                                          : std::vector<char>());
   manifold.warp(aim);
-  if (options_.insert_leftover) manifold.reach();
   if (candidate.weak > kLittleTrouble) manifold.close_tunnels();  // there are thin walls
+  if (options_.insert_leftover) manifold.reach();
   candidate.inserted = manifold.counts().reached;
   candidate.film = unsorted_film_of_sites(tetrahedral_boundary(mesh_, labels), sites_.perturbed);
   if (options_.open_boundary) remove_bridges(candidate.film, geometry_);
