@@ -194,16 +194,38 @@ Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conv
 
   monitor_.enter("manifold", monitor_.share());
   ManifoldLabels manifold(mesh_, geometry_, costs, labels, monitor_.cancel());
-  manifold.repair(options_.open_boundary ? manifold_without_bridges(tetrahedral_boundary(mesh_, labels),
-                                                                    sites_.perturbed, geometry_)
-                                         : std::vector<char>());
+  manifold.repair(exempt(labels));
   manifold.warp(aim);
-  if (candidate.weak > kLittleTrouble) manifold.close_tunnels();  // there are thin walls
   if (options_.insert_leftover) manifold.reach();
   candidate.inserted = manifold.counts().reached;
   candidate.film = unsorted_film_of_sites(tetrahedral_boundary(mesh_, labels), sites_.perturbed);
   if (options_.open_boundary) remove_bridges(candidate.film, geometry_);
+  if (candidate.weak > kLittleTrouble) {
+    candidate.labels = std::move(labels);
+    candidate.hold = std::move(costs.hold);
+  }
   return candidate;
+}
+
+// Where the surface need not be a manifold: an open one must be when its bridges are gone.
+std::vector<char> Pipeline::exempt(const std::vector<char>& labels) const {
+  if (!options_.open_boundary) return {};
+  return manifold_without_bridges(tetrahedral_boundary(mesh_, labels), sites_.perturbed, geometry_);
+}
+
+// For the candidate that was chosen, not before: its handles tell a bad one.
+Pipeline::Candidate Pipeline::without_tunnels(Candidate candidate) {
+  if (candidate.labels.empty()) return candidate;
+  monitor_.enter("tunnels", monitor_.share());
+  const LabelCosts costs{evidence_.cost, std::move(candidate.hold), off_prices()};
+  ManifoldLabels manifold(mesh_, geometry_, costs, candidate.labels, monitor_.cancel());
+  manifold.repair(exempt(candidate.labels));  // it takes the census
+  manifold.close_tunnels();
+  if (options_.insert_leftover) manifold.reach();
+  candidate.inserted += manifold.counts().reached;
+  candidate.film = unsorted_film_of_sites(tetrahedral_boundary(mesh_, candidate.labels), sites_.perturbed);
+  if (options_.open_boundary) remove_bridges(candidate.film, geometry_);
+  return judged(std::move(candidate));
 }
 
 Pipeline::Candidate Pipeline::judged(Candidate candidate) const {
@@ -277,8 +299,8 @@ Pipeline::Candidate Pipeline::carve() {
   best = judged(std::move(best));
   if (best.weak > kNoInside) {
     monitor_.enter("two sides", monitor_.share());
-    Candidate sides = judged(cut(two_sides(mesh_, sites_.perturbed, evidence_, geometry_, monitor_.cancel()), kSidesConviction,
-                                 options_.open_boundary));
+    Candidate sides = judged(cut(two_sides(mesh_, sites_.perturbed, evidence_, geometry_, monitor_.cancel()),
+                                 kSidesConviction, options_.open_boundary));
     const double complexity =
         static_cast<double>(sides.quality.complexity) / static_cast<double>(sites_.size());
     if (complexity <= kMostComplex && sides.score() < best.score()) {
@@ -293,6 +315,7 @@ Pipeline::Candidate Pipeline::carve() {
     Candidate other = judged(cut(carve_belief(width, kCarveSlope), kConviction));
     if (other.score() < best.score()) best = std::move(other);
   }
+  best = without_tunnels(std::move(best));
   const auto enough = static_cast<std::int64_t>(kMuchTrouble * static_cast<double>(sites_.size()));
   if (!best.film.triangles.empty() && best.quality.off <= enough) return best;
   Candidate film = finish(film_from_outside());

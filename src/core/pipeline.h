@@ -35,8 +35,10 @@ class Pipeline {
     GuidingSurface film;
     FilmQuality quality;  ///< after insertion
     std::int64_t inserted = 0;
-    double weak = 0;       ///< share of the sites that its first cut left off
-    double score() const;  ///< lower is better
+    double weak = 0;           ///< share of the sites that its first cut left off
+    std::vector<char> labels;  ///< of the tetrahedra, if it was cut and not without trouble; else none
+    std::vector<double> hold;  ///< what these cost (LabelCosts)
+    double score() const;      ///< lower is better
   };
 
   void prepare(std::unique_ptr<DelaunayTriangulation> triangulation);
@@ -47,6 +49,8 @@ class Pipeline {
   std::vector<Vec3> with_virtual_sites(const GuidingSurface& film) const;
   Candidate finish(GuidingSurface film);
   Candidate cut(const std::vector<double>& belief, double conviction, bool open = false);
+  Candidate without_tunnels(Candidate candidate);
+  std::vector<char> exempt(const std::vector<char>& labels) const;
   std::vector<double> off_prices() const;
   std::vector<double> carve_belief(double limit, double slope) const;
   std::vector<double> winding_belief(const GuidingSurface& film) const;

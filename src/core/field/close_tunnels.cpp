@@ -131,6 +131,9 @@ bool ManifoldLabels::fill(const Move& plug) {
 }
 
 void ManifoldLabels::close_tunnels() {
+  // Where it is a manifold now it stays one.
+  for (std::size_t v = 0; v < exempt_.size(); ++v)
+    if (census_[v].surplus() == 0) exempt_[v] = 0;
   for (const double radius : kPlugRadii)
     for (const Move& plug : plugs(radius)) {
       // Another plug's repair may have been here.
