@@ -14,8 +14,8 @@ struct Execution {
   /// Called from the calling thread with the share done, 0 to 1 and never falling, and the room at work.
   std::function<void(double share, const char* room)> progress;
 
-  /// Set it from any thread: the reconstruction ends soon with Status::Cancelled (of a million
-  /// points, within about a second; while a film evolves, after the step at work).
+  /// Set it from any thread: the reconstruction ends soon with Status::Cancelled. Most long loops look at it;
+  /// the neighbour search, the local evidence and a step of an evolving film are ended first.
   const std::atomic<bool>* cancel = nullptr;
 
   /// Called with the film after every step (0: the initial surface), in the caller's coordinates.

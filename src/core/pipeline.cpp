@@ -198,8 +198,7 @@ Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conv
   manifold.warp(aim);
   if (options_.insert_leftover) manifold.reach();
   candidate.inserted = manifold.counts().reached;
-  candidate.film = unsorted_film_of_sites(tetrahedral_boundary(mesh_, labels), sites_.perturbed);
-  if (options_.open_boundary) remove_bridges(candidate.film, geometry_);
+  candidate.film = film_of(labels);
   if (candidate.weak > kLittleTrouble) {
     candidate.labels = std::move(labels);
     candidate.hold = std::move(costs.hold);
@@ -213,6 +212,12 @@ std::vector<char> Pipeline::exempt(const std::vector<char>& labels) const {
   return manifold_without_bridges(tetrahedral_boundary(mesh_, labels), sites_.perturbed, geometry_);
 }
 
+GuidingSurface Pipeline::film_of(const std::vector<char>& labels) const {
+  GuidingSurface film = unsorted_film_of_sites(tetrahedral_boundary(mesh_, labels), sites_.perturbed);
+  if (options_.open_boundary) remove_bridges(film, geometry_);
+  return film;
+}
+
 // For the candidate that was chosen, not before: its handles tell a bad one.
 Pipeline::Candidate Pipeline::without_tunnels(Candidate candidate) {
   if (candidate.labels.empty()) return candidate;
@@ -223,8 +228,7 @@ Pipeline::Candidate Pipeline::without_tunnels(Candidate candidate) {
   manifold.close_tunnels();
   if (options_.insert_leftover) manifold.reach();
   candidate.inserted += manifold.counts().reached;
-  candidate.film = unsorted_film_of_sites(tetrahedral_boundary(mesh_, candidate.labels), sites_.perturbed);
-  if (options_.open_boundary) remove_bridges(candidate.film, geometry_);
+  candidate.film = film_of(candidate.labels);
   return judged(std::move(candidate));
 }
 

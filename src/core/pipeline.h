@@ -50,6 +50,7 @@ class Pipeline {
   Candidate finish(GuidingSurface film);
   Candidate cut(const std::vector<double>& belief, double conviction, bool open = false);
   Candidate without_tunnels(Candidate candidate);
+  GuidingSurface film_of(const std::vector<char>& labels) const;
   std::vector<char> exempt(const std::vector<char>& labels) const;
   std::vector<double> off_prices() const;
   std::vector<double> carve_belief(double limit, double slope) const;

@@ -136,6 +136,7 @@ void ManifoldLabels::close_tunnels() {
     if (census_[v].surplus() == 0) exempt_[v] = 0;
   for (const double radius : kPlugRadii)
     for (const Move& plug : plugs(radius)) {
+      cancel_();
       // Another plug's repair may have been here.
       const bool whole = std::none_of(plug.begin(), plug.end(), [&](Index t) { return inside_[t]; });
       if (whole && grows(plug) && fill(plug)) ++counts_.tunnels;
