@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "canonical_order.h"
+#include "delaunay.h"
 #include "field/carve.h"
 #include "field/manifold_labels.h"
 #include "field/poisson.h"
@@ -81,12 +81,9 @@ double Pipeline::Candidate::score() const {
              sites;
 }
 
-void Pipeline::prepare(std::unique_ptr<DelaunayTriangulation> triangulation) {
-  if (options_.initial_surface != InitialSurface::Carve) voronoi_ = triangulation->voronoi();
-  Tetrahedra tetrahedra = triangulation->tetrahedra();
-  triangulation.reset();  // it is large
+void Pipeline::prepare(Tetrahedra tetrahedra) {
   report_.tetrahedra = static_cast<std::int64_t>(tetrahedra.size());
-  mesh_ = make_tetrahedral_mesh(in_canonical_order(std::move(tetrahedra), sites_.size()), sites_.perturbed);
+  mesh_ = make_tetrahedral_mesh(std::move(tetrahedra), sites_.perturbed);
   monitor_.enter("local evidence", 0.15);
   // The first belief's carving is one long thread of work that the evidence can run beside.
   const auto evidence = [&] { evidence_ = facet_evidence(mesh_, sites_.perturbed, geometry_); };
@@ -354,7 +351,7 @@ std::vector<std::function<GuidingSurface()>> Pipeline::first_surfaces() const {
 
 // The film by plain steps from the first surface, and by virtual sites and weights once it stalls.
 GuidingSurface Pipeline::film_from_outside() {
-  if (voronoi_.offset.empty()) voronoi_ = DelaunayTriangulation(sites_.perturbed).voronoi();
+  if (voronoi_.offset.empty()) voronoi_ = voronoi_diagram(mesh_.tets, sites_.perturbed);
   GuidingSurface film;
   for (const auto& first : first_surfaces()) {
     monitor_.enter("first surface", 0.2);
@@ -404,8 +401,8 @@ void Pipeline::rounds(Candidate& best) {
   }
 }
 
-GuidingSurface Pipeline::run(std::unique_ptr<DelaunayTriangulation> triangulation) {
-  prepare(std::move(triangulation));
+GuidingSurface Pipeline::run(Tetrahedra tetrahedra) {
+  prepare(std::move(tetrahedra));
   Candidate best;
   if (options_.initial_surface == InitialSurface::Carve) {
     best = carve();

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <vector>
 
 #include "field/facet_evidence.h"
@@ -23,8 +22,8 @@ class Pipeline {
   Pipeline(const SiteSet& sites, const SiteGeometry& geometry, const Options& options, Monitor& monitor,
            Report& report);
 
-  /// Closed manifold of sites, or empty. `triangulation`: of the perturbed sites.
-  GuidingSurface run(std::unique_ptr<DelaunayTriangulation> triangulation);
+  /// Closed manifold of sites, or empty. `tetrahedra`: of the perturbed sites.
+  GuidingSurface run(Tetrahedra tetrahedra);
 
   /// The last resort, after run(): the tetrahedron of largest volume, and what sites it reaches. Closed
   /// manifold of sites that encloses it; empty only if all tetrahedra are flat.
@@ -41,7 +40,7 @@ class Pipeline {
     double score() const;      ///< lower is better
   };
 
-  void prepare(std::unique_ptr<DelaunayTriangulation> triangulation);
+  void prepare(Tetrahedra tetrahedra);
   std::vector<std::function<GuidingSurface()>> first_surfaces() const;
   GuidingSurface film_from_outside();
   void show(const GuidingSurface& film) const;

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filmsticking/reconstruct.h"
 
-#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <memory>
 #include <new>
 #include <optional>
 
-#include "work_limits.h"
+#include "delaunay.h"
 #include "monitor.h"
 #include "open_surface.h"
 #include "orientation.h"
@@ -178,23 +176,18 @@ void run(const std::vector<Point>& points, const Options& options, const Executi
                  (options.max_memory - bytes_for(report.points, report.sites, 0)) / kBytesPerTetrahedron + 1);
 
   monitor.enter("triangulation", 0.02);
-  // Outliers are rare: the triangulation does not wait for the search for them, but is made again.
-  SiteGeometry geometry;
-  std::unique_ptr<DelaunayTriangulation> triangulation;
+  SiteGeometry geometry = site_geometry(sites.perturbed);
+  if (!options.keep_outliers) report.outliers = drop_outliers(sites, geometry);
+  Tetrahedra tetrahedra;
   try {
-    tbb::parallel_invoke(
-        [&] { triangulation = std::make_unique<DelaunayTriangulation>(sites.perturbed, limits); },
-        [&] { geometry = site_geometry(sites.perturbed); });
-    if (!options.keep_outliers) report.outliers = drop_outliers(sites, geometry);
-    if (report.outliers > 0)
-      triangulation = std::make_unique<DelaunayTriangulation>(sites.perturbed, limits);
+    tetrahedra = delaunay_tetrahedra(sites.perturbed, limits);
   } catch (const TooManyTetrahedra&) {
     const auto no = refusal(report.points, report.sites, limits.tetrahedra, options.max_memory);
     return fail(result, no->first, no->second);
   }
 
   Pipeline pipeline(sites, geometry, options, monitor, report);
-  GuidingSurface film = pipeline.run(std::move(triangulation));
+  GuidingSurface film = pipeline.run(std::move(tetrahedra));
   const auto orient = [&] {
     std::vector<Point> places;
     for (const Index site : film.site) places.push_back(points[static_cast<std::size_t>(sites.input[site])]);

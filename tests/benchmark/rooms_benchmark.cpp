@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 
+#include "delaunay.h"
 #include "field/carve.h"
 #include "field/facet_evidence.h"
 #include "field/manifold_labels.h"
@@ -33,9 +34,8 @@ class House {
  public:
   explicit House(int points)
       : cloud(test::torus(points, 1)), set(make_site_set(cloud)), sites(set.perturbed) {
-    const DelaunayTriangulation triangulation(sites);
-    voronoi = triangulation.voronoi();
-    mesh = make_tetrahedral_mesh(triangulation.tetrahedra(), sites);
+    mesh = make_tetrahedral_mesh(delaunay_tetrahedra(sites), sites);
+    voronoi = voronoi_diagram(mesh.tets, sites);
     geometry = site_geometry(sites);
     evidence = facet_evidence(mesh, sites, geometry);
     for (const double width : carve_widths(mesh, sites, geometry.spacing, 1, 3))
@@ -121,11 +121,9 @@ void room(const char* name, Work work) {
 void register_rooms() {
   room("site set", [](const House& h) { return make_site_set(h.cloud).size(); });
   room("Delaunay triangulation", [](const House& h) { return DelaunayTriangulation(h.sites).dimension(); });
-  room("triangulation with Voronoi neighbours and tetrahedra", [](const House& h) {
-    const DelaunayTriangulation triangulation(h.sites);
-    const PowerDiagram voronoi = triangulation.voronoi();
-    return make_tetrahedral_mesh(triangulation.tetrahedra(), h.sites).size() + voronoi.neighbour.size();
-  });
+  room("Delaunay tetrahedra", [](const House& h) { return delaunay_tetrahedra(h.sites).size(); });
+  room("Voronoi neighbours",
+       [](const House& h) { return voronoi_diagram(h.mesh.tets, h.sites).neighbour.size(); });
   room("site geometry", [](const House& h) { return site_geometry(h.sites).normal.size(); });
   room("facet evidence",
        [](const House& h) { return facet_evidence(h.mesh, h.sites, h.geometry).cost.size(); });

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "delaunay.h"
 #include "field/carve.h"
 #include "field/label_islands.h"
 #include "field/manifold_labels.h"
@@ -30,7 +31,7 @@ struct Setting {
   FacetEvidence evidence;
   explicit Setting(const std::vector<Point>& points)
       : set(make_site_set(points)),
-        mesh(make_tetrahedral_mesh(DelaunayTriangulation(set.perturbed).tetrahedra(), set.perturbed)),
+        mesh(make_tetrahedral_mesh(delaunay_tetrahedra(set.perturbed), set.perturbed)),
         geometry(site_geometry(set.perturbed)),
         evidence(facet_evidence(mesh, set.perturbed, geometry)) {}
   Vec3 centre(std::size_t t) const {

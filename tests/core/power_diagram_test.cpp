@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "attraction_weights.h"
+#include "delaunay.h"
 #include "nearest.h"
 #include "restricted_power_diagram.h"
 #include "site_set.h"
@@ -146,7 +147,7 @@ TEST(Nearest, AgreesWithBruteForce) {
 TEST(VirtualSites, AreFarFromSitesAndFromEachOther) {
   const SiteSet set = make_site_set(test::torus(2000, 11));
   const TetrahedralMesh mesh =
-      make_tetrahedral_mesh(DelaunayTriangulation(set.perturbed).tetrahedra(), set.perturbed);
+      make_tetrahedral_mesh(delaunay_tetrahedra(set.perturbed), set.perturbed);
   const std::vector<double> spacing(set.size(), 0.03);
   const PointTree sites(set.perturbed);
   const std::vector<char> all(mesh.size(), 1), none(mesh.size(), 0);
