@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "files.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "io_error.h"
 
@@ -27,6 +29,45 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
+std::int64_t bound_of(std::int64_t most) { return most > 0 ? most : most_bytes_read(); }
+
+std::error_code last_error() { return {errno, std::generic_category()}; }
+
+std::error_code write_all(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t size = write(file, bytes.data(), bytes.size());
+    if (size < 0 && errno != EINTR) return last_error();
+    bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+  }
+  return {};
+}
+
+/// Writes a new file that has no name before it is whole, so that nothing is left of it if the process is
+/// killed. False without an error where the file system does not know such files.
+bool write_unnamed(const fs::path& path, std::string_view bytes, std::error_code& error) {
+  const int file = open(folder_of(path).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+  if (file < 0) return false;
+  error = write_all(file, bytes);
+  unlink(path.c_str());
+  const std::string name = "/proc/self/fd/" + std::to_string(file);
+  const bool is_named =
+      !error && linkat(AT_FDCWD, name.c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0;
+  if (close(file) != 0 && !error) error = last_error();
+  return is_named && !error;
+}
+
+bool write_named(const fs::path& path, std::string_view bytes, std::error_code& error) {
+  unlink(path.c_str());
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file >= 0) error = write_all(file, bytes);
+  if ((file < 0 || close(file) != 0) && !error) error = last_error();
+  return !error;
+}
+
+[[noreturn]] void throw_large(std::int64_t most) {
+  throw IoError("it is larger than " + std::to_string(most / 1000000) + " MB, the most that is read");
+}
+
 }  // namespace
 
 std::string extension_of(const std::string& path) {
@@ -35,17 +76,25 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
-void check_readable(const std::string& path) {
+void check_readable(const std::string& path, std::int64_t most) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) throw IoError("there is no such file");
   if (!fs::is_regular_file(status)) throw IoError("it is not a file");
   if (access(path.c_str(), R_OK) != 0) throw IoError("it cannot be read");
-  if (fs::file_size(path, error) == 0) throw IoError("it is empty");
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (error) throw IoError("it cannot be read");
+  if (size == 0) throw IoError("it is empty");
+  if (size > static_cast<std::uintmax_t>(bound_of(most))) throw_large(bound_of(most));
 }
 
-std::string read_file(const std::string& path) {
-  check_readable(path);
+std::int64_t most_bytes_read() {
+  const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
+  return pages > 0 && page > 0 ? std::int64_t{pages} * page / 4 : std::int64_t{1} << 30;
+}
+
+std::string read_file(const std::string& path, std::int64_t most) {
+  check_readable(path, most);
   std::error_code error;
   std::ifstream file(path, std::ios::binary);
   std::string bytes;
@@ -55,11 +104,19 @@ std::string read_file(const std::string& path) {
   return bytes;
 }
 
-std::string read_standard_input() {
+std::string read_standard_input(std::int64_t most, const std::atomic<bool>* stop) {
+  const auto bound = static_cast<std::size_t>(bound_of(most));
   std::string bytes;
   char piece[1 << 16];
-  for (std::size_t size; (size = std::fread(piece, 1, sizeof piece, stdin)) > 0;) bytes.append(piece, size);
-  if (std::ferror(stdin)) throw IoError("it cannot be read");
+  for (;;) {
+    const ssize_t size = read(STDIN_FILENO, piece, sizeof piece);
+    if (stop && *stop) throw IoError("interrupted");
+    if (size < 0 && errno == EINTR) continue;
+    if (size < 0) throw IoError("it cannot be read");
+    if (size == 0) break;
+    if (static_cast<std::size_t>(size) > bound - bytes.size()) throw_large(bound_of(most));
+    bytes.append(piece, static_cast<std::size_t>(size));
+  }
   if (bytes.empty()) throw IoError("it is empty");
   return bytes;
 }
@@ -84,21 +141,12 @@ void write_file(const std::string& path, std::string_view bytes) {
   const fs::path temporary =
       folder_of(target) / ("." + target.filename().string() + "." + std::to_string(getpid()) + ".tmp");
   std::error_code error;
-  {
-    std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    if (!file) {
-      fs::remove(temporary, error);
-      throw IoError("it cannot be written");
-    }
-  }
-  fs::rename(temporary, target, error);
-  if (error) {
-    const std::string reason = error.message();
-    fs::remove(temporary, error);
-    throw IoError("it cannot be written: " + reason);
-  }
+  if (write_unnamed(temporary, bytes, error) || (!error && write_named(temporary, bytes, error)))
+    fs::rename(temporary, target, error);
+  if (!error) return;
+  const std::string reason = error.message();
+  fs::remove(temporary, error);
+  throw IoError("it cannot be written: " + reason);
 }
 
 }  // namespace filmsticking::io

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -9,14 +11,20 @@ namespace filmsticking::io {
 /// The lower-case extension of a path, with its dot.
 std::string extension_of(const std::string& path);
 
-/// Refuses what is not a regular file with something in it. Throws IoError.
-void check_readable(const std::string& path);
+/// The most bytes that are read where nothing else is said: a quarter of the machine's memory, as the points
+/// in them may take a few times as much.
+std::int64_t most_bytes_read();
 
-/// All bytes of a file. Throws IoError.
-std::string read_file(const std::string& path);
+/// Refuses what is not a regular file with something in it, and more than `most` bytes, 0 meaning
+/// most_bytes_read(). Throws IoError.
+void check_readable(const std::string& path, std::int64_t most = 0);
 
-/// All bytes of standard input up to its end. Throws IoError, also where there are none.
-std::string read_standard_input();
+/// All bytes of a file that check_readable() takes. Throws IoError.
+std::string read_file(const std::string& path, std::int64_t most = 0);
+
+/// All bytes of standard input up to its end, whatever it is: a pipe may have none. Throws IoError, also
+/// where there are no bytes, more than `most`, or `stop` has become true.
+std::string read_standard_input(std::int64_t most = 0, const std::atomic<bool>* stop = nullptr);
 
 /// Throws IoError.
 void write_standard_output(std::string_view bytes);

@@ -26,16 +26,16 @@ std::string format_of(const std::string& path, const std::vector<std::string>& f
   throw IoError("its extension is none of" + dotted(formats));
 }
 
-Model read(const std::string& path, const std::vector<std::string>& formats) {
-  check_readable(path);
+Model read(const std::string& path, const std::vector<std::string>& formats, std::int64_t most = 0) {
+  check_readable(path, most);
   const std::string format = format_of(path, formats);
-  return format == "vtk" ? read_vtk(path) : decode_cloud(format, read_file(path));
+  return format == "vtk" ? read_vtk(path) : decode_cloud(format, read_file(path, most));
 }
 
 }  // namespace
 
-Model read_cloud(const std::string& path) {
-  Model model = read(path, cloud_formats());
+Model read_cloud(const std::string& path, std::int64_t most) {
+  Model model = read(path, cloud_formats(), most);
   if (model.positions.empty()) throw IoError("there are no points in it");
   return model;
 }

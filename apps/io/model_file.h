@@ -2,6 +2,7 @@
 // Files of points and of meshes, by their extension.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "model.h"
@@ -9,8 +10,8 @@
 namespace filmsticking::io {
 
 /// Reads points from .pcd, .ply, .obj, .stl (the vertices of a mesh), .xyz or .txt. Broken files are refused,
-/// and so are those without points. Throws IoError.
-Model read_cloud(const std::string& path);
+/// and so are those without points and those of more bytes than `most`, as by read_file(). Throws IoError.
+Model read_cloud(const std::string& path, std::int64_t most = 0);
 
 /// Reads a mesh from .ply, .obj, .stl or .vtk (this one by VTK, which trusts it). A file without triangles is
 /// refused. Throws IoError.

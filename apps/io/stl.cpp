@@ -101,14 +101,18 @@ Model decode_binary(std::string_view bytes) {
 Model decode_text(std::string_view bytes) {
   CornerJoiner joiner;
   TextScanner text(bytes);
+  bool ended = false;
   for (std::string_view word = text.word(); !word.empty(); word = text.word()) {
+    if (word == "endsolid") ended = true;
     if (word != "vertex") continue;
+    ended = false;
     Point p{};
     for (double& x : p)
       if (!text.number(x)) throw IoError("it is not a whole STL file");
     if (!is_finite(p)) throw IoError("a corner in it is not finite");
     joiner.add(p);
   }
+  if (!ended) throw IoError("it is not a whole STL file");
   return joiner.take();
 }
 

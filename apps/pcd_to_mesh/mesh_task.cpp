@@ -28,10 +28,12 @@ std::string shown(const std::string& path, const char* stream) {
   return path == kStandardStream ? stream : path;
 }
 
-io::Model read_input(const std::string& path, const std::string& format) {
-  if (path != kStandardStream && format.empty()) return io::read_cloud(path);
-  const std::string bytes = path == kStandardStream ? io::read_standard_input() : io::read_file(path);
-  const std::string known = format.empty() ? io::detect_format(bytes) : format;
+io::Model read_input(const std::string& path, const CommandLine& command) {
+  const std::int64_t most = command.options.max_memory;
+  if (path != kStandardStream && command.from.empty()) return io::read_cloud(path, most);
+  const std::string bytes =
+      path == kStandardStream ? io::read_standard_input(most, &stop_asked) : io::read_file(path, most);
+  const std::string known = command.from.empty() ? io::detect_format(bytes) : command.from;
   if (known.empty()) throw io::IoError("its format is not recognised; --format names it");
   io::Model cloud = io::decode_cloud(known, bytes);
   if (cloud.positions.empty()) throw io::IoError("there are no points in it");
@@ -62,7 +64,13 @@ void write_output(const Task& task, const CommandLine& command, const io::Model&
 
 void run(const Task& task, const CommandLine& command, const Progress& progress, TaskResult& outcome) {
   RunFacts& facts = outcome.facts;
-  io::Model cloud = with_file(facts.input, [&] { return read_input(task.input, command.from); });
+  io::Model cloud;
+  try {
+    cloud = with_file(facts.input, [&] { return read_input(task.input, command); });
+  } catch (const io::IoError&) {
+    outcome.interrupted = stop_asked;
+    throw;
+  }
   facts.read = static_cast<std::int64_t>(cloud.positions.size());
   with_file(facts.output, [&] { check_output(task, command); });
   if (command.filters.any()) {

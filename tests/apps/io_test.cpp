@@ -448,6 +448,17 @@ TEST(Files, WhatCannotBeReadIsSaid) {
     EXPECT_NE(error_of(folder / name), "") << name;
 }
 
+TEST(Files, MoreBytesThanTheBoundAreNotRead) {
+  const ScratchFolder folder;
+  write_text(folder / "cloud.xyz", "0 0 0\n1 0 0\n");
+  EXPECT_EQ(io::read_file(folder / "cloud.xyz", 12).size(), 12u);
+  EXPECT_THROW(io::read_file(folder / "cloud.xyz", 11), IoError);
+  EXPECT_THROW(io::read_cloud(folder / "cloud.xyz", 11), IoError);
+  // A file with a hole: no byte of it is on the disk.
+  std::filesystem::resize_file(folder / "cloud.xyz", io::most_bytes_read() + 1);
+  EXPECT_NE(error_of(folder / "cloud.xyz").find("larger"), std::string::npos);
+}
+
 TEST(Files, AFileIsReplacedWholeThroughALink) {
   const ScratchFolder folder;
   write_text(folder / "target.ply", "old");
@@ -464,6 +475,7 @@ TEST(Files, WhatCannotBeWrittenIsRefused) {
   EXPECT_THROW(io::write_file(folder / "folder.ply", "x"), IoError);
   EXPECT_THROW(io::write_file(folder / "no/such/folder.ply", "x"), IoError);
   EXPECT_THROW(io::write_file("/dev/null", "x"), IoError);
+  EXPECT_THROW(io::write_file("/proc/mesh.ply", "x"), IoError);
   EXPECT_THROW(io::write_model(folder / "mesh.foo", tetrahedron(true)), IoError);
   EXPECT_EQ(folder.count(), 1u);
 }
