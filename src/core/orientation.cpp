@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "enclosed_volume.h"
-#include "triangle_adjacency.h"
 
 namespace filmsticking {
 
@@ -22,11 +21,10 @@ double solid_angle_winding(const GuidingSurface& surface, const std::vector<Inde
   return sum / (2 * M_PI);
 }
 
-bool orient_components(GuidingSurface& surface, const std::vector<Point>& places) {
-  std::vector<Index> component;
-  const std::vector<Index> twin =
-      half_edge_twins(surface.triangles, static_cast<Index>(surface.positions.size()));
-  const Index count = connected_components(twin, component);
+bool orient_components(GuidingSurface& surface, const std::vector<Point>& places,
+                       const SurfaceTopology& topology) {
+  const std::vector<Index>&component = topology.component, &twin = topology.twin;
+  const Index count = topology.components;
   std::vector<std::vector<Index>> members(count);
   for (std::size_t t = 0; t < component.size(); ++t) members[component[t]].push_back(static_cast<Index>(t));
   std::vector<char> closed(count, 1);

@@ -17,7 +17,6 @@
 #include "parallel.h"
 #include "pipeline.h"
 #include "site_set.h"
-#include "triangle_adjacency.h"
 
 namespace filmsticking {
 namespace {
@@ -125,20 +124,19 @@ std::int64_t boundary_loops(const std::vector<Index>& twin) {
   return loops;
 }
 
-void describe_result(Result& result) {
+// `topology`: that of the film, of which the result is another numbering.
+void describe_result(Result& result, const SurfaceTopology& topology) {
   Report& report = result.report;
   const Index vertices = static_cast<Index>(result.vertices.size());
-  std::vector<Index> twin;
-  const ManifoldCheck check = check_manifold(result.triangles, vertices, &twin);
+  const ManifoldCheck& check = topology.check;
   report.closed = check.closed;
   report.manifold = check.manifold();
   report.boundary_edges = check.boundary_edges;
   report.interpolated = vertices;
   report.triangles = static_cast<std::int64_t>(result.triangles.size());
   if (!report.manifold) return;
-  std::vector<Index> component;
-  report.components = connected_components(twin, component);
-  report.boundary_loops = boundary_loops(twin);
+  report.components = topology.components;
+  report.boundary_loops = boundary_loops(topology.twin);
   const std::int64_t edges = (3 * report.triangles + report.boundary_edges) / 2;
   const std::int64_t euler = vertices - edges + report.triangles;
   report.genus = (2 * report.components - euler - report.boundary_loops) / 2;
@@ -188,10 +186,15 @@ void run(const std::vector<Point>& points, const Options& options, const Executi
 
   Pipeline pipeline(sites, geometry, options, monitor, report);
   GuidingSurface film = pipeline.run(std::move(tetrahedra));
+  std::optional<SurfaceTopology> topology;
   const auto orient = [&] {
-    std::vector<Point> places;
-    for (const Index site : film.site) places.push_back(points[static_cast<std::size_t>(sites.input[site])]);
-    return !film.triangles.empty() && orient_components(film, places);
+    topology.emplace(film.triangles, static_cast<Index>(film.positions.size()));
+    if (!topology->check.manifold()) return !film.triangles.empty();  // told of below
+    std::vector<Point> places(film.site.size());
+    parallel_each(places.size(), [&](std::size_t v) {
+      places[v] = points[static_cast<std::size_t>(sites.input[film.site[v]])];
+    });
+    return orient_components(film, places, *topology);
   };
   bool oriented = orient();
   // A closed film may be flat, by less than the points are perturbed: few points, mostly on a plane.
@@ -199,8 +202,8 @@ void run(const std::vector<Point>& points, const Options& options, const Executi
   if (!oriented) return fail(result, Status::NoSurface, describe(Status::NoSurface));
   monitor.enter("result", 0.97);
   write_result(film, face_gaps(film, geometry), sites, result);
-  describe_result(result);
-  if (!report.manifold || !(report.closed || options.open_boundary))
+  describe_result(result, *topology);
+  if (result.vertices.size() != film.site.size() || !report.manifold || !(report.closed || options.open_boundary))
     return fail(result, Status::InternalError, "the result is not a closed manifold");
   monitor.progress(1);
   result.status = Status::Ok;

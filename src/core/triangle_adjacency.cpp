@@ -2,6 +2,7 @@
 #include "triangle_adjacency.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "parallel.h"
@@ -13,7 +14,12 @@ Index target(const std::vector<Corners>& triangles, Index h) { return triangles[
 
 // Half-edges bucketed by that end which has fewer of them: the apex of a wide cone is searched by nobody.
 struct HalfEdgesByEnd {
-  std::vector<Index> degree, offset, half_edge;
+  struct HalfEdge {
+    Index other;         // end
+    std::uint32_t code;  // 2h, or 2h + 1 if h runs to the end that has the bucket
+  };
+  std::vector<Index> degree, offset;
+  std::vector<HalfEdge> half_edge;
   HalfEdgesByEnd(const std::vector<Corners>& triangles, Index vertex_count)
       : degree(vertex_count, 0), offset(vertex_count + 1, 0), half_edge(triangles.size() * 3) {
     for (const Corners& t : triangles)
@@ -23,8 +29,10 @@ struct HalfEdgesByEnd {
     for (std::size_t v = 1; v < offset.size(); ++v) offset[v] += offset[v - 1];
     std::vector<Index> fill(offset.begin(), offset.end() - 1);
     for (std::size_t t = 0; t < triangles.size(); ++t)
-      for (std::size_t k = 0; k < 3; ++k)
-        half_edge[fill[end(triangles[t][k], triangles[t][(k + 1) % 3])]++] = static_cast<Index>(3 * t + k);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index a = triangles[t][k], b = triangles[t][(k + 1) % 3], at = end(a, b);
+        half_edge[fill[at]++] = {at == a ? b : a, static_cast<std::uint32_t>(2 * (3 * t + k) + (at == b))};
+      }
   }
   Index end(Index a, Index b) const { return std::pair(degree[a], a) < std::pair(degree[b], b) ? a : b; }
 };
@@ -37,11 +45,15 @@ struct EdgeUse {
 
 EdgeUse use_of(const std::vector<Corners>& triangles, const HalfEdgesByEnd& edges, Index h) {
   const Index a = triangles[h / 3][h % 3], b = target(triangles, h), end = edges.end(a, b);
+  const Index other = end == a ? b : a;
   EdgeUse use;
   for (Index k = edges.offset[end]; k < edges.offset[end + 1]; ++k) {
-    const Index g = edges.half_edge[k], from = triangles[g / 3][g % 3], to = target(triangles, g);
-    if (from == b && to == a) use.back = g, ++use.opposite;
-    if (from == a && to == b) ++use.same;
+    const auto& g = edges.half_edge[k];
+    if (g.other != other) continue;
+    if ((g.code & 1) == (end == b))
+      ++use.same;
+    else
+      use.back = static_cast<Index>(g.code / 2), ++use.opposite;
   }
   return use;
 }
@@ -130,6 +142,14 @@ Index connected_components(const std::vector<Index>& twins, std::vector<Index>& 
     ++count;
   }
   return count;
+}
+
+SurfaceTopology::SurfaceTopology(const std::vector<Corners>& triangles, Index vertex_count) {
+  check = check_manifold(triangles, vertex_count, &twin);
+  if (check.manifold())
+    components = connected_components(twin, component);
+  else
+    twin.clear();
 }
 
 }  // namespace filmsticking

@@ -36,4 +36,13 @@ ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex
 /// Connected components of a manifold: component[t] for every triangle, and their number.
 Index connected_components(const std::vector<Index>& twins, std::vector<Index>& component);
 
+/// How triangles hang together. What is not a manifold has neither twins nor components.
+struct SurfaceTopology {
+  ManifoldCheck check;
+  std::vector<Index> twin, component;
+  Index components = 0;
+
+  SurfaceTopology(const std::vector<Corners>& triangles, Index vertex_count);
+};
+
 }  // namespace filmsticking

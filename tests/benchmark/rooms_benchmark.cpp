@@ -170,8 +170,9 @@ void register_rooms() {
     GuidingSurface film = h.film;
     std::vector<Point> places;
     for (const Vec3& p : film.positions) places.push_back({p.x(), p.y(), p.z()});
-    orient_components(film, places);
-    return check_manifold(film.triangles, static_cast<Index>(film.positions.size())).ok();
+    const SurfaceTopology topology(film.triangles, static_cast<Index>(film.positions.size()));
+    orient_components(film, places, topology);
+    return topology.check.ok();
   });
 }
 

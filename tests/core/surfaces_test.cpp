@@ -74,10 +74,11 @@ TEST(Orientation, TheTruePlacesSayWhatIsOutward) {
   surface.triangles.assign(std::begin(kTetrahedron), std::end(kTetrahedron));
   for (const double tip : {1e-12, -1e-12, 1e-300, -1e-300}) {
     const std::vector<Point> places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.2, tip}};
-    EXPECT_TRUE(orient_components(surface, places));
+    EXPECT_TRUE(orient_components(surface, places, SurfaceTopology(surface.triangles, 4)));
     EXPECT_EQ(enclosed_volume_sign(surface.triangles, places), 1);
   }
-  EXPECT_FALSE(orient_components(surface, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.2, 0}}));
+  const std::vector<Point> flat = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.2, 0}};
+  EXPECT_FALSE(orient_components(surface, flat, SurfaceTopology(surface.triangles, 4)));
 }
 
 TEST(EnclosedVolume, IsExactAtEveryScale) {
@@ -112,7 +113,8 @@ TEST(Orientation, TurnsSolidsOutwardAndCavitiesInward) {
     GuidingSurface turned = nested;
     for (std::size_t t = 0; t < turned.triangles.size(); ++t)
       if (flips >> (t / 4) & 1) std::swap(turned.triangles[t][1], turned.triangles[t][2]);
-    EXPECT_TRUE(orient_components(turned, places_of(turned)));
+    const SurfaceTopology topology(turned.triangles, static_cast<Index>(turned.positions.size()));
+    EXPECT_TRUE(orient_components(turned, places_of(turned), topology));
     for (int part = 0; part < 3; ++part) {
       GuidingSurface one = turned;
       one.triangles.assign(turned.triangles.begin() + 4 * part, turned.triangles.begin() + 4 * part + 4);
