@@ -14,6 +14,7 @@
 #include "field/poisson.h"
 #include "field/sculpt.h"
 #include "field/signed_field.h"
+#include "field/surface_sheets.h"
 #include "field/winding_number.h"
 #include "film.h"
 #include "film_quality.h"
@@ -223,6 +224,48 @@ TEST(ManifoldLabels, WarpReachesTheAimWhereTheTopologyIsTheSame) {
   EXPECT_GT(part.counts().warped, 100);
   // Some steps need two tetrahedra at once: of two dozen such clouds, 0 to 14 % stay different.
   EXPECT_LT(differences, static_cast<std::size_t>(part.counts().warped) / 5);
+}
+
+// Pieces of the tetrahedra at a site, of both labels, joined through facets at the site: one by one.
+int pieces_at(const TetrahedralMesh& mesh, const std::vector<char>& inside, Index v) {
+  std::vector<Index> star;
+  for (std::size_t t = 0; t < mesh.size(); ++t)
+    for (const Index c : mesh.tets.corners[t])
+      if (c == v) star.push_back(static_cast<Index>(t));
+  std::vector<char> met(mesh.size(), 1);
+  for (const Index t : star) met[t] = 0;
+  int pieces = 0;
+  for (const Index start : star) {
+    if (met[start]) continue;
+    ++pieces;
+    std::vector<Index> stack{start};
+    for (met[start] = 1; !stack.empty();) {
+      const Index t = stack.back();
+      stack.pop_back();
+      for (int k = 0; k < 4; ++k) {
+        const Index u = mesh.tets.neighbours[t][k];
+        if (mesh.tets.corners[t][k] == v || met[u] || inside[u] != inside[t]) continue;
+        met[u] = 1;
+        stack.push_back(u);
+      }
+    }
+  }
+  return pieces;
+}
+
+TEST(SurfaceSheets, AreWhatTheStarsSay) {
+  const Setting s(test::torus(250, 3));
+  for (int turn = 0; turn < 8; ++turn) {
+    std::vector<char> inside = random_labels(s.mesh, static_cast<std::uint64_t>(turn));
+    if (turn % 2 == 1)  // smooth as well
+      for (std::size_t t = 0; t < inside.size(); ++t)
+        inside[t] = !s.mesh.tets.infinite(static_cast<Index>(t)) && s.mesh.circumradius[t] < 0.1 * turn;
+    const std::vector<Sheets> sheets = surface_sheets(s.mesh, inside, s.set.size());
+    for (std::size_t v = 0; v < sheets.size(); ++v) {
+      const int pieces = pieces_at(s.mesh, inside, static_cast<Index>(v));
+      EXPECT_EQ(sheets[v], pieces == 1 ? Sheets::None : pieces == 2 ? Sheets::Disc : Sheets::Other) << v;
+    }
+  }
 }
 
 TEST(ManifoldLabels, AnIslandIsGivenUpAndAPartIsKept) {

@@ -2,49 +2,122 @@
 #include "label_islands.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <utility>
+
+#include "parallel.h"
 
 namespace filmsticking {
 namespace {
 
-// The pieces of a labelling, in the order in which they are met from outside in.
+// Disjoint sets that several threads unite at once: a set is named by its least member, towards which links
+// lead, and a link is only ever set where there was none (Anderson and Woll 1991).
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t n) : link_(n) {
+    parallel_each(n,
+                  [&](std::size_t i) { link_[i].store(static_cast<Index>(i), std::memory_order_relaxed); });
+  }
+  Index find(Index i) {
+    for (Index up = link(i); up != i; up = link(i)) {
+      const Index above = link(up);
+      if (above != up) link_[i].compare_exchange_weak(up, above, std::memory_order_relaxed);
+      i = above;
+    }
+    return i;
+  }
+  void unite(Index a, Index b) {
+    for (;;) {
+      a = find(a), b = find(b);
+      if (a == b) return;
+      if (a < b) std::swap(a, b);
+      Index expected = a;
+      if (link_[a].compare_exchange_strong(expected, b, std::memory_order_relaxed)) return;
+    }
+  }
+
+ private:
+  Index link(Index i) const { return link_[i].load(std::memory_order_relaxed); }
+  std::vector<std::atomic<Index>> link_;
+};
+
+struct Facet {
+  Index t;
+  int k;
+};
+
+// The pieces of a labelling.
 struct Pieces {
-  std::vector<Index> of;      // [tetrahedron]
-  std::vector<Index> parent;  // [piece]: the piece around it; kNone for what holds the infinite tetrahedra
+  std::vector<Index> of;        // [tetrahedron]
+  std::vector<Index> parent;    // [piece]: the piece around it; kNone for what holds the infinite tetrahedra
+  std::vector<Index> outwards;  // the pieces, each after the one around it
+  std::vector<Facet> border;    // between pieces, from both sides
 
   std::size_t size() const { return parent.size(); }
 };
 
+constexpr std::size_t kChunk = 16384;
+
+// The facets between pieces, from both sides.
+std::vector<Facet> find_border(const TetrahedralMesh& mesh, const std::vector<char>& inside) {
+  std::vector<std::vector<Facet>> parts((mesh.size() + kChunk - 1) / kChunk);
+  parallel_chunks(mesh.size(), kChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+      for (int k = 0; k < 4; ++k)
+        if (inside[mesh.tets.neighbours[t][k]] != inside[t])
+          parts[chunk].push_back({static_cast<Index>(t), k});
+  });
+  std::vector<Facet> border;
+  for (const auto& part : parts) border.insert(border.end(), part.begin(), part.end());
+  return border;
+}
+
+// All that is known of one or two pieces is their number.
 Pieces find_pieces(const TetrahedralMesh& mesh, const std::vector<char>& inside) {
   Pieces pieces;
-  pieces.of.assign(mesh.size(), kNone);
-  // Seeds: a tetrahedron of a piece not met yet, and the piece it was met from. The list is worked off in
-  // order, so a piece comes after the one around it.
-  std::vector<std::pair<Index, Index>> seeds;
-  std::vector<Index> queue;
+  DisjointSets sets(mesh.size());
+  parallel_each(mesh.size(), [&](std::size_t t) {
+    for (Index u : mesh.tets.neighbours[t])
+      if (u < static_cast<Index>(t) && inside[u] == inside[t]) sets.unite(static_cast<Index>(t), u);
+  });
+  pieces.of.resize(mesh.size());
+  parallel_each(mesh.size(), [&](std::size_t t) { pieces.of[t] = sets.find(static_cast<Index>(t)); });
+  std::vector<Index> least;
   for (std::size_t t = 0; t < mesh.size(); ++t)
-    if (mesh.tets.infinite(static_cast<Index>(t))) {
-      seeds.emplace_back(static_cast<Index>(t), kNone);
-      break;  // the infinite ones are connected
-    }
-  for (std::size_t next = 0; next < seeds.size(); ++next) {
-    const auto [start, from] = seeds[next];
-    if (pieces.of[start] != kNone) continue;
-    const Index id = static_cast<Index>(pieces.size());
-    pieces.parent.push_back(from);
-    pieces.of[start] = id;
-    queue.assign(1, start);
-    while (!queue.empty()) {
-      const Index t = queue.back();
-      queue.pop_back();
-      for (Index u : mesh.tets.neighbours[t]) {
-        if (pieces.of[u] != kNone) continue;
-        if (inside[u] == inside[t]) {
-          pieces.of[u] = id;
-          queue.push_back(u);
-        } else {
-          seeds.emplace_back(u, id);
-        }
-      }
+    if (pieces.of[t] == static_cast<Index>(t)) least.push_back(pieces.of[t]);
+  pieces.parent.assign(least.size(), kNone);
+  if (pieces.size() <= 2) return pieces;
+  parallel_each(mesh.size(), [&](std::size_t t) {
+    pieces.of[t] =
+        static_cast<Index>(std::lower_bound(least.begin(), least.end(), pieces.of[t]) - least.begin());
+  });
+  pieces.border = find_border(mesh, inside);
+  std::vector<std::pair<Index, Index>> beside;
+  for (const Facet& f : pieces.border) {
+    const std::pair<Index, Index> pair =
+        std::minmax(pieces.of[f.t], pieces.of[mesh.tets.neighbours[f.t][f.k]]);
+    if (beside.empty() || beside.back() != pair) beside.push_back(pair);
+  }
+  std::sort(beside.begin(), beside.end());
+  beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
+  for (std::size_t i = 0, pairs = beside.size(); i < pairs; ++i)
+    beside.emplace_back(beside[i].second, beside[i].first);
+  std::sort(beside.begin(), beside.end());
+  // From the piece that holds the infinite tetrahedra, which are connected.
+  Index infinite = 0;
+  while (!mesh.tets.infinite(infinite)) ++infinite;
+  pieces.outwards.assign(1, pieces.of[infinite]);
+  std::vector<char> met(pieces.size(), 0);
+  met[pieces.of[infinite]] = 1;
+  for (std::size_t next = 0; next < pieces.outwards.size(); ++next) {
+    const Index p = pieces.outwards[next];
+    for (auto it = std::lower_bound(beside.begin(), beside.end(), std::pair(p, Index{0}));
+         it != beside.end() && it->first == p; ++it) {
+      if (met[it->second]) continue;
+      met[it->second] = 1;
+      pieces.parent[it->second] = p;
+      pieces.outwards.push_back(it->second);
     }
   }
   return pieces;
@@ -58,12 +131,11 @@ std::int64_t drop_islands(const TetrahedralMesh& mesh, const SiteGeometry& geome
   if (pieces.size() <= 2) return 0;  // one surface
   // A component of the surface belongs to the piece it is around; a site, to the last such piece.
   std::vector<Index> owner(geometry.near.size(), kNone);
-  for (std::size_t t = 0; t < mesh.size(); ++t) {
-    const Index piece = pieces.of[t];
-    for (int k = 0; k < 4; ++k)
-      if (pieces.parent[piece] != kNone && pieces.of[mesh.tets.neighbours[t][k]] == pieces.parent[piece])
-        for (int j : kFacet[k])
-          if (const Index v = mesh.tets.corners[t][j]; v != kNone) owner[v] = piece;
+  for (const Facet& f : pieces.border) {
+    const Index piece = pieces.of[f.t];
+    if (pieces.of[mesh.tets.neighbours[f.t][f.k]] != pieces.parent[piece]) continue;
+    for (int j : kFacet[f.k])
+      if (const Index v = mesh.tets.corners[f.t][j]; v != kNone) owner[v] = piece;
   }
   std::vector<std::int64_t> own(pieces.size(), 0), foreign(pieces.size(), 0);
   for (std::size_t v = 0; v < owner.size(); ++v) {
@@ -74,10 +146,10 @@ std::int64_t drop_islands(const TetrahedralMesh& mesh, const SiteGeometry& geome
   // From outside in: an island takes the label that what is around it has in the end.
   std::int64_t islands = 0;
   std::vector<char> label(pieces.size(), 0);
-  for (std::size_t t = 0; t < mesh.size(); ++t) label[pieces.of[t]] = inside[t];
-  for (std::size_t p = 0; p < pieces.size(); ++p)
+  for (const Facet& f : pieces.border) label[pieces.of[f.t]] = inside[f.t];
+  for (const Index p : pieces.outwards)
     if (pieces.parent[p] != kNone && own[p] <= foreign[p]) label[p] = label[pieces.parent[p]], ++islands;
-  for (std::size_t t = 0; t < mesh.size(); ++t) inside[t] = label[pieces.of[t]];
+  parallel_each(mesh.size(), [&](std::size_t t) { inside[t] = label[pieces.of[t]]; });
   return islands;
 }
 

@@ -8,6 +8,7 @@
 
 #include "label_islands.h"
 #include "parallel.h"
+#include "surface_sheets.h"
 
 namespace filmsticking {
 namespace {
@@ -185,9 +186,16 @@ bool ManifoldLabels::quick_census(Index v, Census& result) const {
 
 // Of every site; returns those where the surface is not a disc.
 std::vector<Index> ManifoldLabels::take_census() {
+  const std::vector<Sheets> sheets = surface_sheets(mesh_, inside_, seed_.size());
   std::vector<char> large(seed_.size(), 0);
   parallel_each(seed_.size(), [&](std::size_t v) {
-    if (seed_[v] != kNone) large[v] = !quick_census(static_cast<Index>(v), census_[v]);
+    if (seed_[v] == kNone) return;
+    if (sheets[v] == Sheets::None)
+      census_[v] = inside_[seed_[v]] ? Census{1, 0} : Census{0, 1};
+    else if (sheets[v] == Sheets::Disc)
+      census_[v] = {1, 1};
+    else
+      large[v] = !quick_census(static_cast<Index>(v), census_[v]);
   });
   std::vector<Index> singular;
   for (std::size_t v = 0; v < seed_.size(); ++v) {
