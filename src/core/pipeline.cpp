@@ -196,10 +196,8 @@ Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conv
   if (options_.insert_leftover) manifold.reach();
   candidate.inserted = manifold.counts().reached;
   candidate.film = film_of(labels);
-  if (candidate.weak > kLittleTrouble) {
-    candidate.labels = std::move(labels);
-    candidate.hold = std::move(costs.hold);
-  }
+  candidate.labels = std::move(labels);
+  candidate.hold = std::move(costs.hold);
   return candidate;
 }
 

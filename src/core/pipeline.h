@@ -35,7 +35,7 @@ class Pipeline {
     FilmQuality quality;  ///< after insertion
     std::int64_t inserted = 0;
     double weak = 0;           ///< share of the sites that its first cut left off
-    std::vector<char> labels;  ///< of the tetrahedra, if it was cut and not without trouble; else none
+    std::vector<char> labels;  ///< of the tetrahedra, if it was cut
     std::vector<double> hold;  ///< what these cost (LabelCosts)
     double score() const;      ///< lower is better
   };
