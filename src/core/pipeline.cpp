@@ -159,12 +159,13 @@ Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conv
   });
 
   Candidate candidate;
-  std::vector<double> hold = costs.hold;
+  std::vector<double> grown;  // instead of costs.hold, if there is a second cut
   std::vector<char> labels, aim;
   std::size_t labels_off = n + 1, aim_off = n + 1, last_off = n;
   for (int i = 0; i < kCuts; ++i) {
     monitor_.enter("sculpting", monitor_.share());
-    const std::vector<char> inside = sculpt(mesh_, evidence_, hold, open, monitor_.cancel());
+    const std::vector<char> inside =
+        sculpt(mesh_, evidence_, grown.empty() ? costs.hold : grown, open, monitor_.cancel());
     std::vector<char> sides(n, 0);  // of each site: 1 inside, 2 outside, 3 both: it is on the surface
     for (std::size_t t = 0; t < mesh_.size(); ++t)
       for (Index v : mesh_.tets.corners[t])
@@ -179,10 +180,11 @@ Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conv
         i > 0 && 2 * off<n&& static_cast<double>(off)> kStalled * static_cast<double>(last_off);
     if (off == 0 || stalled) break;
     last_off = off;
+    if (grown.empty()) grown = costs.hold;
     for (std::size_t t = 0; t < mesh_.size(); ++t)
       for (Index v : mesh_.tets.corners[t])
         if (v != kNone && sides[v] != 3) {
-          hold[t] *= kConvictionGrowth;
+          grown[t] *= kConvictionGrowth;
           break;
         }
   }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <deque>
 
+#include "parallel.h"
+
 namespace filmsticking {
 namespace {
 
@@ -23,13 +25,8 @@ class Solver {
   // Ends: a bridge raises the flow, which is of whole numbers and no more than the terminals hold; without
   // one a node less is active, and nodes become active again only with a bridge.
   std::vector<char> solve(const std::vector<char>& fallback, const Cancel& cancel) {
-    for (Index i = 0; i < n_; ++i)
-      if (g_.terminal[i] != 0) {
-        tree_[i] = g_.terminal[i] > 0 ? 1 : -1;
-        parent_[i] = kTerminal;
-        distance_[i] = 1;
-        activate(i);
-      }
+    push_across();
+    plant();
     Index current = kNone;
     for (std::uint64_t turns = 0;;) {
       if (current == kNone || tree_[current] == 0) current = next_active();
@@ -45,11 +42,46 @@ class Solver {
       adopt();
     }
     std::vector<char> side(n_);
-    for (Index i = 0; i < n_; ++i) side[i] = tree_[i] == 0 ? fallback[i] : tree_[i] > 0;
+    parallel_each(side.size(), [&](std::size_t i) { side[i] = tree_[i] == 0 ? fallback[i] : tree_[i] > 0; });
     return side;
   }
 
  private:
+  // The flow from source to sink over single arcs, which is most of it, by several threads: each has a chunk
+  // of the nodes for itself. Whatever flow of the largest is found, the nodes that the source still reaches
+  // are the same, and so are those that reach the sink.
+  void push_across() {
+    constexpr std::size_t kChunk = 16384;
+    parallel_chunks(tree_.size(), kChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (Index i = static_cast<Index>(begin); i < static_cast<Index>(end); ++i)
+        for (Index k = 0; k < 4 && g_.terminal[i] > 0; ++k) {
+          const Index back = g_.mirror[i][k], j = back / 4;
+          if (j < static_cast<Index>(begin) || j >= static_cast<Index>(end) || g_.terminal[j] >= 0) continue;
+          const std::int64_t flow =
+              std::min({std::int64_t{g_.capacity[i][k]}, g_.terminal[i], -g_.terminal[j]});
+          g_.capacity[i][k] -= static_cast<std::int32_t>(flow),
+              capacity(back) += static_cast<std::int32_t>(flow);
+          g_.terminal[i] -= flow, g_.terminal[j] += flow;
+        }
+    });
+  }
+
+  // Both trees begin at the nodes with terminals. Active are those alone that have something to do.
+  void plant() {
+    const auto root = [&](Index i) { return g_.terminal[i] > 0 ? 1 : g_.terminal[i] < 0 ? -1 : 0; };
+    parallel_each(tree_.size(), [&](std::size_t node) {
+      const Index i = static_cast<Index>(node);
+      tree_[i] = static_cast<signed char>(root(i));
+      if (tree_[i] == 0) return;
+      parent_[i] = kTerminal;
+      distance_[i] = 1;
+      for (Index k = 0; k < 4; ++k)
+        if (root(g_.mirror[i][k] / 4) != tree_[i] && outward(tree_[i], 4 * i + k) > 0) active_flag_[i] = 1;
+    });
+    for (Index i = 0; i < n_; ++i)
+      if (active_flag_[i]) active_.push_back(i);
+  }
+
   std::int32_t& capacity(Index arc) { return g_.capacity[arc / 4][arc % 4]; }
   Index mirror(Index arc) const { return g_.mirror[arc / 4][arc % 4]; }
   // Towards the sink along the arc in the source's tree, against it in the sink's.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "minimum_cut.h"
+#include "parallel.h"
 
 namespace filmsticking {
 namespace {
@@ -19,16 +20,17 @@ std::vector<char> sculpt(const TetrahedralMesh& mesh, const FacetEvidence& evide
   CutGraph graph{mesh.mirror, {}, {}};
   graph.capacity.resize(mesh.size());
   graph.terminal.resize(mesh.size());
-  double sum = 0;
-  for (const auto& costs : evidence.cost)
-    for (double c : costs) sum += c;
+  const double sum = parallel_sum(mesh.size(), [&](std::size_t t) {
+    const auto& c = evidence.cost[t];
+    return double{c[0]} + c[1] + c[2] + c[3];
+  });
   // Whole numbers, so that the flow is exact and ends: a mean facet costs some thousands.
   const double unit = sum > 0 ? 4096.0 * 4.0 * static_cast<double>(mesh.size()) / sum : 1;
   auto price = [&](double cost) {
     return static_cast<std::int64_t>(std::llround(std::min(cost * unit, 1e12)));
   };
   std::vector<char> fallback(mesh.size());
-  for (std::size_t t = 0; t < mesh.size(); ++t) {
+  parallel_each(mesh.size(), [&](std::size_t t) {
     const bool infinite = !open && mesh.tets.infinite(static_cast<Index>(t));
     for (int k = 0; k < 4; ++k)
       graph.capacity[t][k] =
@@ -36,7 +38,7 @@ std::vector<char> sculpt(const TetrahedralMesh& mesh, const FacetEvidence& evide
     const std::int64_t held = price(std::abs(hold[t]));
     graph.terminal[t] = infinite ? -(std::int64_t(1) << 50) : hold[t] > 0 ? held : -held;
     fallback[t] = !infinite && hold[t] > 0;
-  }
+  });
   std::vector<char> inside = minimum_cut(graph, fallback, cancel);
   for (std::size_t t = 0; t < mesh.size(); ++t)
     if (!open && mesh.tets.infinite(static_cast<Index>(t))) inside[t] = 0;
