@@ -5,44 +5,59 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <numeric>
 
 namespace filmsticking {
 
-// A kd-tree over point ids, split at the median along the widest side; leaves of a few points.
+// A kd-tree over point ids, split at the median along the widest side; leaves of a few points. What is found
+// does not depend on the tree: of points equally far away the first is nearer.
 struct PointTree::Impl {
   struct Node {
     Vec3 lo, hi;
     Index begin, end, left, right;  // left == kNone: a leaf
   };
-  const std::vector<Vec3> points;
-  std::vector<Index> id;
-  std::vector<Node> nodes;
+  static constexpr Index kLeaf = 8, kAlone = 4096;  // points of a leaf; and that one thread sorts
 
-  explicit Impl(const std::vector<Vec3>& p) : points(p), id(p.size()) {
+  std::vector<Index> id;
+  std::vector<Vec3> points;  // in the order of the ids
+  std::vector<Node> nodes;
+  std::atomic<Index> used{0};
+
+  explicit Impl(const std::vector<Vec3>& p)
+      : id(p.size()), points(p.size()), nodes(p.empty() ? 0 : p.size() / 2 + 1) {
     std::iota(id.begin(), id.end(), 0);
-    if (!id.empty()) build(0, static_cast<Index>(id.size()));
+    if (!id.empty()) build(p, 0, static_cast<Index>(id.size()));
   }
 
-  Index build(Index begin, Index end) {
-    const Index n = static_cast<Index>(nodes.size());
-    nodes.push_back({points[id[begin]], points[id[begin]], begin, end, kNone, kNone});
+  Index build(const std::vector<Vec3>& p, Index begin, Index end) {
+    const Index n = used++;
+    Node& node = nodes[n];
+    node = {p[id[begin]], p[id[begin]], begin, end, kNone, kNone};
     for (Index i = begin; i < end; ++i) {
-      nodes[n].lo = nodes[n].lo.cwiseMin(points[id[i]]);
-      nodes[n].hi = nodes[n].hi.cwiseMax(points[id[i]]);
+      node.lo = node.lo.cwiseMin(p[id[i]]);
+      node.hi = node.hi.cwiseMax(p[id[i]]);
     }
-    if (end - begin <= 8) return n;
+    if (end - begin <= kLeaf) {
+      for (Index i = begin; i < end; ++i) points[i] = p[id[i]];
+      return n;
+    }
     Index axis;
-    (nodes[n].hi - nodes[n].lo).maxCoeff(&axis);
+    (node.hi - node.lo).maxCoeff(&axis);
     const Index middle = begin + (end - begin) / 2;
     std::nth_element(id.begin() + begin, id.begin() + middle, id.begin() + end, [&](Index a, Index b) {
-      return points[a][axis] != points[b][axis] ? points[a][axis] < points[b][axis] : a < b;
+      return p[a][axis] != p[b][axis] ? p[a][axis] < p[b][axis] : a < b;
     });
-    const Index left = build(begin, middle), right = build(middle, end);
-    nodes[n].left = left, nodes[n].right = right;
+    const auto left = [&] { node.left = build(p, begin, middle); };
+    const auto right = [&] { node.right = build(p, middle, end); };
+    if (end - begin > kAlone)
+      tbb::parallel_invoke(left, right);
+    else
+      left(), right();
     return n;
   }
 
@@ -56,7 +71,7 @@ struct PointTree::Impl {
     const Node& node = nodes[n];
     if (node.left == kNone) {
       for (Index i = node.begin; i < node.end; ++i) {
-        const std::pair<double, Index> candidate{(points[id[i]] - x).squaredNorm(), id[i]};
+        const std::pair<double, Index> candidate{(points[i] - x).squaredNorm(), id[i]};
         if (found.size() == k && !(candidate < found.front())) continue;
         if (found.size() == k) std::pop_heap(found.begin(), found.end()), found.pop_back();
         found.push_back(candidate), std::push_heap(found.begin(), found.end());
@@ -86,7 +101,9 @@ std::vector<Index> PointTree::nearest(const Vec3& x, std::size_t k) const {
   std::vector<Index> ids;
   if (impl_->nodes.empty() || k == 0) return ids;
   Impl::Found found;
+  found.reserve(std::min(k, impl_->points.size()));
   impl_->search(0, x, k, found);
+  ids.reserve(found.size());
   std::sort(found.begin(), found.end());
   for (const auto& f : found) ids.push_back(f.second);
   return ids;

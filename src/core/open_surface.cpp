@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "film.h"
+#include "parallel.h"
 #include "triangle_adjacency.h"
 
 namespace filmsticking {
@@ -84,14 +85,14 @@ std::vector<char> supported(const GuidingSurface& film, const SiteGeometry& geom
 }  // namespace
 
 std::vector<float> face_gaps(const GuidingSurface& film, const SiteGeometry& geometry) {
-  std::vector<float> gaps;
-  gaps.reserve(film.triangles.size());
-  for (const Corners& t : film.triangles) {
+  std::vector<float> gaps(film.triangles.size());
+  parallel_each(gaps.size(), [&](std::size_t i) {
+    const Corners& t = film.triangles[i];
     double spacing = 0;
     for (Index v : t) spacing = std::max(spacing, geometry.spacing[film.site[v]]);
     const double radius = enclosing_radius(film.positions[t[0]], film.positions[t[1]], film.positions[t[2]]);
-    gaps.push_back(static_cast<float>(2 * radius / std::max(spacing, 1e-300)));
-  }
+    gaps[i] = static_cast<float>(2 * radius / std::max(spacing, 1e-300));
+  });
   return gaps;
 }
 

@@ -150,27 +150,26 @@ SiteSet make_site_set(const std::vector<Point>& points) {
   set.duplicates = std::distance(distinct, entries.end());
   entries.erase(distinct, entries.end());
 
-  std::vector<Vec3> unturned;
-  unturned.reserve(entries.size());
-  for (const Entry& e : entries) unturned.push_back(set.to_unit(points[static_cast<std::size_t>(e.id)]));
+  std::vector<Vec3> unturned(entries.size());
+  parallel_each(entries.size(), [&](std::size_t i) {
+    unturned[i] = set.to_unit(points[static_cast<std::size_t>(entries[i].id)]);
+  });
   set.turn = canonical_turn(unturned);
   sort_entries();
-  set.positions.reserve(entries.size());
-  set.input.reserve(entries.size());
-  for (const Entry& e : entries) {
-    set.positions.push_back(set.to_unit(points[static_cast<std::size_t>(e.id)]));
-    set.input.push_back(e.id);
-  }
-  set.perturbed.reserve(set.size());
-  for (const Vec3& p : set.positions) {
+  set.positions.resize(entries.size());
+  set.perturbed.resize(entries.size());
+  set.input.resize(entries.size());
+  parallel_each(entries.size(), [&](std::size_t i) {
+    set.input[i] = entries[i].id;
+    const Vec3 p = set.positions[i] = set.to_unit(points[static_cast<std::size_t>(entries[i].id)]);
     std::uint64_t h = hash(p);
     Vec3 shift;
     for (int k = 0; k < 3; ++k) {
       h = mix(h + 0x9e3779b97f4a7c15ULL);
       shift[k] = (static_cast<double>(h >> 11) * (2.0 / 9007199254740992.0) - 1.0) * kPerturbation;
     }
-    set.perturbed.push_back(p + shift);
-  }
+    set.perturbed[i] = p + shift;
+  });
   return set;
 }
 
