@@ -53,6 +53,7 @@ class FaceFiller {
     stack_.push_back(polygon_);
     used_.clear();
     for (const Corner& corner : border_) used_.push_back(corner.site);
+    // Ends: a polygon falls into smaller ones, or takes in a site that is new to the face.
     while (!stack_.empty()) {
       std::vector<Corner> top = std::move(stack_.back());
       stack_.pop_back();

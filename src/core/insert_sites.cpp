@@ -63,7 +63,7 @@ class Inserter {
 
   bool joined(Index h, Index b) const {
     const Index start = h;
-    do {
+    do {  // ends: the film is closed, so the faces around a vertex come round
       if (from(next_in_face(h)) == b) return true;
       h = twin_[prev_in_face(h)];
     } while (h != start);
@@ -138,7 +138,7 @@ std::int64_t insert_sites(GuidingSurface& film, const std::vector<Vec3>& sites, 
   std::vector<Index> waiting = off;
   Inserter inserter(film);
   // A pass puts at most one site into each face, the nearest first, so that every site meets the mesh that
-  // the ones before it made. A pass that puts in none ends it.
+  // the ones before it made. A pass that puts in none ends it; others leave fewer waiting.
   while (!waiting.empty()) {
     const SurfaceTree tree(film);
     struct Candidate {

@@ -46,6 +46,7 @@ class Repair {
     find_orbits();
     choose_rings();
     for (Index o = 0; o < static_cast<Index>(out_.size()); ++o) push(o);
+    // Ends: what is pushed is beside an operation, and these end (see the header).
     while (!queue_.empty()) {
       // First in, first out by halves: the order is that of the orbits, hence of the input.
       std::vector<Index> batch;
@@ -63,6 +64,7 @@ class Repair {
 
  private:
   const Vec3& at(Index orbit) const { return positions_[orbit_site_[orbit]]; }
+  // Twins pair all half-edges at all times, so that every loop of rotate() comes back to where it began.
   Index rotate(Index h) const { return twin_[prev_in_face(h)]; }
   Index target(Index h) const { return orbit_[next_in_face(h)]; }
 
@@ -118,6 +120,8 @@ class Repair {
       undecided[s] = 1;
       queue.emplace(best_of(static_cast<Index>(s)).first, -static_cast<Index>(s));
     }
+    // Ends: a turn decides a site, or brings an entry up to date, which it stays until the next decision. Costs
+    // are finite, so no lead differs from itself.
     while (!queue.empty()) {
       const auto [lead, negative] = queue.top();
       const Index site = -negative;
@@ -333,7 +337,7 @@ class Repair {
 
   // Ears of a polygon of distinct orbits, best first; chords that would be double edges last.
   void fill_polygon(std::vector<Index> orbits, std::vector<Index> ports) {
-    while (orbits.size() > 3) {
+    while (orbits.size() > 3) {  // ends: an ear less each time
       const std::size_t n = orbits.size();
       // The cheapest ear whose chord is no edge yet; the test for that is the dear part, so cheapest first.
       ears_.clear();
@@ -371,7 +375,8 @@ class Repair {
         const Index h = 3 * f + k;
         if ((orbit_[h] == a && target(h) == c) || (orbit_[h] == c && target(h) == a)) return true;
       }
-    // From each rim edge that starts or ends at a, turn around a through the outside.
+    // From each rim edge that starts or ends at a, turn around a through the outside: the hole ends both turns,
+    // or they have come round.
     for (Index h : outside_) {
       if (h < 0) continue;
       for (Index g : {h, next_in_face(h)}) {

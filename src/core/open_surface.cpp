@@ -53,7 +53,7 @@ Fans find_fans(const GuidingSurface& film) {
   const auto forth = [&](Index h) { return twin[prev_in_face(h)]; };
   for (Index h = 0; h < static_cast<Index>(twin.size()); ++h) {
     if (fans.of[h] != kNone) continue;
-    Index first = h;
+    Index first = h;  // turning around a vertex comes to an open end or back to the start
     for (Index g = back(h); g != kNone && g != h; g = back(g)) first = g;
     Index size = 0;
     for (Index g = first; g != kNone && fans.of[g] == kNone; g = forth(g)) fans.of[g] = h, ++size;
@@ -110,7 +110,7 @@ void remove_bridges(GuidingSurface& film, const SiteGeometry& geometry) {
   std::vector<Vec3> sites(geometry.spacing.size());
   for (std::size_t v = 0; v < film.site.size(); ++v) sites[film.site[v]] = film.positions[v];
   std::vector<char> keep = supported(film, geometry);
-  for (bool several = true; several;) {
+  for (bool several = true; several;) {  // ends: a vertex with several fans loses faces
     film = film_of_sites(sites_of(film, keep), sites);
     const Fans fans = find_fans(film);
     several = std::count(fans.single.begin(), fans.single.end(), 0) > 0;

@@ -52,7 +52,7 @@ std::int64_t drop_outliers(SiteSet& sites, SiteGeometry& geometry) {
   if (std::count(out.begin(), out.end(), 1) == 0) return 0;
   SiteSet rest = sites;
   SiteGeometry rest_geometry;
-  do {
+  do {  // ends: every turn leaves fewer
     keep_others(out, rest);
     if (3 * rest.size() < 2 * sites.size() || rest.size() < 4 || rest.coplanar()) return 0;
     rest_geometry = site_geometry(rest.perturbed);

@@ -109,7 +109,8 @@ void write_result(const GuidingSurface& film, const std::vector<float>& gaps, co
   });
 }
 
-// The number of closed loops of edges with one face. Of a manifold, which has one loop end at a vertex.
+// The number of closed loops of edges with one face. Of a manifold, which has one loop end at a vertex: the fan
+// there ends the inner search, and a loop comes back to where it was seen.
 std::int64_t boundary_loops(const std::vector<Index>& twin) {
   std::vector<char> seen(twin.size(), 0);
   std::int64_t loops = 0;

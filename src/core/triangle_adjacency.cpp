@@ -105,6 +105,7 @@ ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex
     check.single_rings = false;
     return check;
   }
+  // Twins pair the half-edges here, so that turning around a vertex comes to an open end or back to the start.
   std::vector<Index> ring(vertex_count, 0);
   for (Index h = 0; h < static_cast<Index>(twin.size()); ++h) {
     const Index v = triangles[h / 3][h % 3];
@@ -130,7 +131,7 @@ Index connected_components(const std::vector<Index>& twins, std::vector<Index>& 
     if (component[seed] != kNone) continue;
     component[seed] = count;
     stack.push_back(seed);
-    while (!stack.empty()) {
+    while (!stack.empty()) {  // ends: a triangle gets its component once
       const Index t = stack.back();
       stack.pop_back();
       for (Index k = 0; k < 3; ++k) {

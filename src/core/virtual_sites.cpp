@@ -21,7 +21,7 @@ std::vector<Vec3> farthest_points(const std::vector<Ball>& balls, std::size_t co
   std::vector<Vec3> chosen;
   std::vector<double> distance2(balls.size(), std::numeric_limits<double>::max());
   std::size_t next = 0;
-  while (chosen.size() < std::min(count, balls.size())) {
+  while (chosen.size() < std::min(count, balls.size())) {  // ends: one more each time
     chosen.push_back(balls[next].centre);
     parallel_each(balls.size(), [&](std::size_t i) {
       distance2[i] = std::min(distance2[i], (balls[i].centre - chosen.back()).squaredNorm());

@@ -69,6 +69,7 @@ std::vector<double> carve_widths(const TetrahedralMesh& mesh, const std::vector<
       }
     }
   };
+  // Ends: a tetrahedron comes in when its width rises, which is one of finitely many gates.
   while (!widest.empty() || !front.empty()) {
     Index t;
     if (!widest.empty()) {

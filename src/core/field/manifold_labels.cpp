@@ -20,6 +20,10 @@ constexpr double kHandlePrice = 20;
 // price. The cheap ones first, as they often make the others cheap.
 constexpr double kFirstShare = 0.1;
 
+// A site that was brought on so often, and given up for others, is left off: so reach() ends whatever rounding
+// does to the costs.
+constexpr char kMostReaches = 8;
+
 // Of larger moves the least cost is not worth its own price.
 constexpr std::size_t kFewMoves = 16;
 
@@ -59,6 +63,7 @@ ManifoldLabels::Census ManifoldLabels::census(Index v) {
   Census result;
   star_.clear(), first_.clear();
   waiting_.assign(1, seed_[v]);
+  // Ends: a tetrahedron is searched from once, and waits no more often than it has neighbours.
   while (!waiting_.empty()) {
     const Index start = waiting_.back();
     waiting_.pop_back();
@@ -162,7 +167,7 @@ bool ManifoldLabels::quick_census(Index v, Census& result) const {
     const auto end = star.begin() + static_cast<std::ptrdiff_t>(size);
     return std::find(star.begin(), end, t) != end;
   };
-  while (waits > 0) {
+  while (waits > 0) {  // ends as census() does
     const Index start = waiting[--waits];
     if (met(start)) continue;
     if (size == kQuickStar) return false;
@@ -388,7 +393,8 @@ ManifoldLabels::Move ManifoldLabels::best_move(Index v, bool erode) {
 
 // Until no site of the list, or that became singular on the way, is singular. Those where nothing lowers the
 // number of surplus pieces are left on stuck_; with `erode` there are none, as a site that has surplus pieces
-// has tetrahedra inside.
+// has tetrahedra inside. Ends: a move lowers the number of surplus pieces of all sites, or with `erode` that of
+// tetrahedra inside, and a turn without a move leaves nothing to do.
 void ManifoldLabels::lower(std::vector<Index> singular, bool erode) {
   stuck_.clear();
   std::vector<Index> next;
@@ -427,6 +433,7 @@ void ManifoldLabels::warp(const std::vector<char>& aim) {
   for (std::size_t t = 0; t < mesh_.size(); ++t)
     if (inside_[t] != aim[t] && !mesh_.tets.infinite(static_cast<Index>(t)))
       front.push_back(static_cast<Index>(t));
+  // Ends: every step leaves a difference from `aim` less, and what is looked at again is beside a step.
   while (!front.empty()) {
     unique_sorted(front);
     next.clear();
@@ -468,17 +475,18 @@ ManifoldLabels::Move ManifoldLabels::best_reach(Index v, double share) {
 void ManifoldLabels::reach() {
   std::vector<Index> none;
   std::vector<char> changed(seed_.size());  // something about its star, since it was looked at in vain
+  std::vector<char> reaches(seed_.size(), 0);
   for (double share = kFirstShare;;) {
     std::fill(changed.begin(), changed.end(), 1);
     for (bool moved = true; moved;) {
       moved = false;
       for (std::size_t v = 0; v < seed_.size(); ++v) {
-        if (seed_[v] == kNone || !changed[v] || !census_[v].off()) continue;
+        if (seed_[v] == kNone || !changed[v] || !census_[v].off() || reaches[v] == kMostReaches) continue;
         changed[v] = 0;
         const Move move = best_reach(static_cast<Index>(v), share);
         if (move.empty()) continue;
         const std::vector<Census> before = apply(move, none);
-        ++counts_.reached;
+        ++counts_.reached, ++reaches[v];
         moved = true;
         each_concerned(move, before, [&](Index t) {
           for (Index w : mesh_.tets.corners[t])

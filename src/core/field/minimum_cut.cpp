@@ -123,6 +123,7 @@ class Solver {
     return kNone;
   }
 
+  // Ends, as distance_to_terminal() does: parents are those of trees, and have no rings.
   void augment(Index bridge) {
     std::int64_t flow = capacity(bridge);
     Index i = bridge / 4;
@@ -176,6 +177,8 @@ class Solver {
     return steps;
   }
 
+  // Ends: an orphan that finds a parent has a way to a terminal without orphans, and is made none again; the
+  // others leave their tree.
   void adopt() {
     while (!orphans_.empty()) {
       const Index i = orphans_.front();

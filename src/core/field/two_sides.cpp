@@ -22,7 +22,7 @@ class SignedClusters {
     for (std::size_t i = 0; i < n; ++i) parent_[i] = static_cast<Index>(i);
   }
 
-  /// The root of i's cluster, and i's sign in it.
+  /// The root of i's cluster, and i's sign in it. Ends: join() takes roots of two trees, so there are no rings.
   std::pair<Index, int> find(Index i) {
     Index root = i;
     int sign = 1;

@@ -49,7 +49,7 @@ double WindingNumber::operator()(const Vec3& x) const {
   constexpr double kFar2 =
       2.3 * 2.3;  // distance over radius from which a group is one dipole (Barill et al.)
   double sum = 0;
-  for (Index n = 0; n < static_cast<Index>(nodes_.size());) {
+  for (Index n = 0; n < static_cast<Index>(nodes_.size());) {  // ends: `skip` is ahead
     const Node& node = nodes_[n];
     const Vec3 r = node.centre - x;
     const double r2 = r.squaredNorm();
