@@ -8,12 +8,15 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <utility>
 
 #include "canonical_order.h"
+#include "field/tetrahedral_mesh.h"
 #include "parallel.h"
 
 namespace filmsticking {
@@ -28,8 +31,20 @@ constexpr std::size_t kSmallRound = 20000, kBatch = 1024, kPlaces = 1024, kOften
 constexpr std::size_t kFirstRound = 512;
 constexpr int kRoundBits = 3;
 
-struct Tetrahedron {
+// One line of the cache.
+struct alignas(64) Tetrahedron {
   std::array<Index, 4> corner, neighbour;
+  // Of its sphere: the centre, rounded; and squared distances from there, with less than the first of which a
+  // site is surely in the sphere, with more than the second surely not.
+  std::array<float, 3> centre;
+  float in, out;
+  std::uint32_t mark;              // by the last insertion that met it: in, out
+  std::atomic<std::uint8_t> lock;  // the worker's id; 0: none
+
+  void copy(const Tetrahedron& t) {
+    corner = t.corner, neighbour = t.neighbour, centre = t.centre, in = t.in, out = t.out, mark = t.mark;
+    lock.store(t.lock.load(std::memory_order_relaxed), std::memory_order_relaxed);
+  }
   bool infinite() const {
     return corner[0] == kNone || corner[1] == kNone || corner[2] == kNone || corner[3] == kNone;
   }
@@ -51,24 +66,38 @@ struct Worker {
     int k;
     Index made;  // the new tetrahedron on it
   };
+  struct Edge {
+    std::uint64_t sites;
+    Index made;
+    int k;
+    std::uint32_t of;  // insertion
+  };
   std::vector<Index> cavity, locked;
   std::vector<Facet> border;
-  std::vector<Index> busy;  // sites that met a lock
+  // For the surface of a cavity: the names of its sites, the sites by name, the ends of its facets, and the
+  // new tetrahedron on the facet to the left of an edge.
+  static constexpr std::size_t kFewFacets = 120, kFewSites = kFewFacets / 2 + 2;
+  std::vector<std::uint8_t> name;
+  std::array<Index, kFewSites> named;
+  std::array<std::array<std::uint8_t, 3>, kFewFacets> ends;
+  std::array<std::array<Index, kFewSites + 2>, kFewSites> beside;
+  // For that of a large one.
+  std::vector<Edge> edges;      // a hash table
+  std::uint32_t insertion = 0;  // the last that used it
+  std::vector<Index> busy;      // sites that met a lock
 };
 
 class Triangulation {
  public:
   Triangulation(const std::vector<Vec3>& sites, const TriangulationLimits& limits)
-      : limits_(limits), at_(new std::atomic<Index>[sites.size()]) {
-    points_.reserve(sites.size());
-    for (const Vec3& p : sites) points_.emplace_back(p.x(), p.y(), p.z());
+      : limits_(limits), sites_(sites), at_(new std::atomic<Index>[sites.size()]) {
     for (std::size_t v = 0; v < sites.size(); ++v) at_[v].store(kNone, std::memory_order_relaxed);
     // More than a surface's sites make; memory that is not touched is not taken.
     grow((8 * sites.size() / kPlaces + 16) * kPlaces);
   }
 
   bool build() {
-    const std::size_t n = points_.size();
+    const std::size_t n = sites_.size();
     const auto threads = static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency()));
     workers_.resize(std::min<std::size_t>({threads, std::max<std::size_t>(1, n / kSmallRound), 64}));
     for (std::size_t w = 0; w < workers_.size(); ++w)
@@ -124,12 +153,61 @@ class Triangulation {
     return level;
   }
 
+  Kernel::Point_3 point(Index v) const { return {sites_[v].x(), sites_[v].y(), sites_[v].z()}; }
+
   CGAL::Sign orientation(const std::array<Index, 4>& c) const {
-    return Kernel::Orientation_3()(points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]);
+    return Kernel::Orientation_3()(point(c[0]), point(c[1]), point(c[2]), point(c[3]));
+  }
+
+  // Sets what tells quickly whether a site is in the sphere. `k`: a corner that is a site.
+  //
+  // With u, v and w from that corner a to the others the centre is at a + N / D, D = 2 u (v x w),
+  // N = u^2 v x w + v^2 w x u + w^2 u x v. If m is the longest of the three, rounding puts N out by less than
+  // 62 epsilon m^4 and D by less than 28 epsilon m^3 (counted as in Higham, "Accuracy and stability of
+  // numerical algorithms", 2002); m is at most twice the radius r. If that and the rounding to float make the
+  // centre c wrong by e, then the power of a site p, |p - c|^2 - |a - c|^2, is wrong by no more than 2 |p -
+  // a| e; which is 6 r e at most for sites within 2 r of the centre, and cannot change the sign farther out
+  // if e is small beside r.
+  void set_sphere(Tetrahedron& t, int k) const {
+    t.in = 0, t.out = std::numeric_limits<float>::infinity();
+    t.centre = {0, 0, 0};
+    if (t.infinite()) return;
+    constexpr double kEpsilon = std::numeric_limits<double>::epsilon() / 2;
+    const Vec3& a = sites_[t.corner[k]];
+    const Vec3 u = sites_[t.corner[k ^ 1]] - a, v = sites_[t.corner[k ^ 2]] - a,
+               w = sites_[t.corner[k ^ 3]] - a;
+    const Vec3 vw = v.cross(w);
+    const double d = 2 * u.dot(vw), uu = u.squaredNorm(), vv = v.squaredNorm(), ww = w.squaredNorm();
+    const double over_d = 1 / d;
+    const Vec3 c = (uu * vw + vv * w.cross(u) + ww * u.cross(v)) * over_d;
+    const double mm = std::max({uu, vv, ww}), radius = c.norm();
+    const double error_n = 192 * kEpsilon * mm * mm, error_d = 300 * kEpsilon * mm * radius;
+    const Vec3 centre = a + c;
+    const double e = (error_n + 4 * radius * error_d) * std::abs(over_d) + 8 * kEpsilon * radius +
+                     6.5e-8 * centre.lpNorm<1>() + 1e-30;
+    if (!(std::abs(d) > 4 * error_d && 5 * radius * radius > mm && 10 * e < radius && radius > 1e-15 &&
+          radius < 1e15))
+      return;
+    t.centre = {static_cast<float>(centre.x()), static_cast<float>(centre.y()),
+                static_cast<float>(centre.z())};
+    const double rr = squared_distance(t, a), slack = 6.1 * (radius + e) * e + 1e-14 * rr;
+    t.in = static_cast<float>(std::max(0.0, rr - slack) * (1 - 1e-6));
+    t.out = static_cast<float>((rr + slack) * (1 + 1e-6));
+  }
+
+  static double squared_distance(const Tetrahedron& t, const Vec3& p) {
+    const double x = p.x() - double{t.centre[0]}, y = p.y() - double{t.centre[1]},
+                 z = p.z() - double{t.centre[2]};
+    return x * x + y * y + z * z;
   }
 
   // Positive: the site is in the tetrahedron's sphere, or beyond the hull's facet; zero: on it.
   CGAL::Sign conflict(const Tetrahedron& t, Index p) const {
+    const double dd = squared_distance(t, sites_[p]);
+    return dd < t.in ? CGAL::POSITIVE : dd > t.out ? CGAL::NEGATIVE : exact_conflict(t, p);
+  }
+
+  CGAL::Sign exact_conflict(const Tetrahedron& t, Index p) const {
     const auto& c = t.corner;
     for (int k = 0; k < 4; ++k)
       if (c[k] == kNone) {
@@ -137,20 +215,14 @@ class Triangulation {
         with[k] = p;
         return orientation(with);
       }
-    return Kernel::Side_of_oriented_sphere_3()(points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]],
-                                               points_[p]);
+    return Kernel::Side_of_oriented_sphere_3()(point(c[0]), point(c[1]), point(c[2]), point(c[3]), point(p));
   }
 
   // `capacity`: whole blocks, so that no place is without an owner.
   void grow(std::size_t capacity) {
     std::unique_ptr<Tetrahedron[]> tets(new Tetrahedron[capacity]);
-    std::unique_ptr<std::uint32_t[]> mark(new std::uint32_t[capacity]);
-    std::unique_ptr<std::atomic<std::uint8_t>[]> lock(new std::atomic<std::uint8_t>[capacity]);
-    for (std::size_t t = 0; t < std::min(used_.load(), capacity_); ++t) {
-      tets[t] = tets_[t], mark[t] = mark_[t];
-      lock[t].store(lock_[t].load(std::memory_order_relaxed), std::memory_order_relaxed);
-    }
-    tets_ = std::move(tets), mark_ = std::move(mark), lock_ = std::move(lock);
+    for (std::size_t t = 0; t < std::min(used_.load(), capacity_); ++t) tets[t].copy(tets_[t]);
+    tets_ = std::move(tets);
     used_ = std::min(used_.load(), capacity_);
     capacity_ = capacity;
   }
@@ -162,8 +234,8 @@ class Triangulation {
       if (begin + kPlaces > capacity_) return false;
       for (std::size_t t = begin + kPlaces; t-- > begin;) {
         tets_[t].corner[0] = kDead;
-        mark_[t] = 0;
-        lock_[t].store(w.id, std::memory_order_relaxed);
+        tets_[t].mark = 0;
+        tets_[t].lock.store(w.id, std::memory_order_relaxed);
         w.free.push_back(static_cast<Index>(t));
       }
     }
@@ -172,7 +244,7 @@ class Triangulation {
 
   // The first of the sites that span space, and the four infinite tetrahedra around it.
   bool first_tetrahedron() {
-    const auto n = static_cast<Index>(points_.size());
+    const auto n = static_cast<Index>(sites_.size());
     if (n < 4) return false;
     std::array<Index, 4> c{0, n / 2, n - 1, kNone};
     for (const Index third : {n - 1, n / 4, n / 4 * 3, Index{1}}) {
@@ -188,8 +260,9 @@ class Triangulation {
     std::array<Index, 5> id{};
     for (Index& t : id) t = workers_[0].free.back(), workers_[0].free.pop_back();
     alive_ = static_cast<std::int64_t>(id.size());
-    for (const Index t : id) lock_[t].store(0, std::memory_order_relaxed);
-    tets_[id[4]] = {c, {id[0], id[1], id[2], id[3]}};
+    for (const Index t : id) tets_[t].lock.store(0, std::memory_order_relaxed);
+    tets_[id[4]].corner = c, tets_[id[4]].neighbour = {id[0], id[1], id[2], id[3]};
+    set_sphere(tets_[id[4]], 0);
     for (int k = 0; k < 4; ++k) {
       // The vertex at infinity in place of corner k is on the other side; swapping two others mends that.
       Tetrahedron& t = tets_[id[k]];
@@ -197,6 +270,7 @@ class Triangulation {
       t.corner[k] = kNone, t.neighbour[k] = id[4];
       const int i = k == 0 ? 1 : 0, j = k <= 1 ? 2 : 1;
       std::swap(t.corner[i], t.corner[j]), std::swap(t.neighbour[i], t.neighbour[j]);
+      set_sphere(t, i);
       at_[c[k]].store(id[4], std::memory_order_relaxed);
     }
     return true;
@@ -247,11 +321,12 @@ class Triangulation {
   bool acquire(Worker& w, Index t) {
     if (!kShared) return true;
     std::uint8_t none = 0;
-    return lock_[t].compare_exchange_strong(none, w.id, std::memory_order_acquire, std::memory_order_relaxed);
+    return tets_[t].lock.compare_exchange_strong(none, w.id, std::memory_order_acquire,
+                                                 std::memory_order_relaxed);
   }
   template <bool kShared>
   void release(Index t) {
-    if (kShared) lock_[t].store(0, std::memory_order_release);
+    if (kShared) tets_[t].lock.store(0, std::memory_order_release);
   }
   template <bool kShared>
   Insertion give_up(Worker& w, Insertion why) {
@@ -260,7 +335,8 @@ class Triangulation {
     return why;
   }
 
-  // The tetrahedron that holds a site, or an infinite one beyond whose facet it is; locked. kNone: busy.
+  // A tetrahedron in whose sphere a site surely is; or else the one that holds it, or an infinite one beyond
+  // whose facet it is. Locked. kNone: busy.
   template <bool kShared>
   Index locate(Worker& w, Index p) {
     Index hint = p;
@@ -277,6 +353,7 @@ class Triangulation {
     for (bool moved = true; moved;) {
       moved = false;
       const Tetrahedron& now = tets_[t];
+      if (squared_distance(now, sites_[p]) < now.in) break;
       const int infinite = now.infinite() ? now.corner_index(kNone) : -1;
       if (infinite >= 0 && from != kNone) break;  // it came through the facet of the hull
       for (int k = 0; k < 4 && !moved; ++k) {
@@ -306,20 +383,21 @@ class Triangulation {
     w.stamp += static_cast<std::uint32_t>(workers_.size());
     const std::uint32_t in = 2 * w.stamp + 1, out = 2 * w.stamp;
     if (conflict(tets_[start], p) != CGAL::POSITIVE) return give_up<kShared>(w, Insertion::Tie);
-    mark_[start] = in;
+    tets_[start].mark = in;
     for (std::size_t i = 0; i < w.cavity.size(); ++i) {
       const Index t = w.cavity[i];
       for (int k = 0; k < 4; ++k) {
         const Index u = tets_[t].neighbour[k];
-        if (kShared && lock_[u].load(std::memory_order_relaxed) != w.id) {
+        Tetrahedron& next = tets_[u];
+        if (kShared && next.lock.load(std::memory_order_relaxed) != w.id) {
           if (!acquire<kShared>(w, u)) return give_up<kShared>(w, Insertion::Busy);
           w.locked.push_back(u);
         }
-        if (mark_[u] == in) continue;
-        if (mark_[u] != out) {
-          const CGAL::Sign sign = conflict(tets_[u], p);
+        if (next.mark == in) continue;
+        if (next.mark != out) {
+          const CGAL::Sign sign = conflict(next, p);
           if (sign == CGAL::ZERO) return give_up<kShared>(w, Insertion::Tie);
-          mark_[u] = sign == CGAL::POSITIVE ? in : out;
+          next.mark = sign == CGAL::POSITIVE ? in : out;
           if (sign == CGAL::POSITIVE) {
             w.cavity.push_back(u);
             continue;
@@ -329,47 +407,34 @@ class Triangulation {
       }
     }
     if (!reserve(w, w.border.size())) return give_up<kShared>(w, Insertion::Full);
-    fill<kShared>(w, p, in);
+    fill<kShared>(w, p);
     return Insertion::Done;
   }
 
   // A new tetrahedron on each facet around the cavity.
   template <bool kShared>
-  void fill(Worker& w, Index p, std::uint32_t in) {
+  void fill(Worker& w, Index p) {
     for (Worker::Facet& f : w.border) {
       f.made = w.free.back();
       w.free.pop_back();
-      Tetrahedron &made = tets_[f.made], &old = tets_[f.t];
+      Tetrahedron& made = tets_[f.made];
+      const Tetrahedron& old = tets_[f.t];
       const Index u = old.neighbour[f.k];
       made.corner = old.corner, made.corner[f.k] = p;
       made.neighbour = {kNone, kNone, kNone, kNone}, made.neighbour[f.k] = u;
       tets_[u].neighbour[tets_[u].neighbour_index(f.t)] = f.made;
-      old.neighbour[f.k] = f.made;  // for those that look for it around an edge
-      mark_[f.made] = 0;
+      made.mark = 0;
+      set_sphere(made, f.k);
       for (const Index v : made.corner)
         if (v != kNone) at_[v].store(f.made, std::memory_order_release);
       if (kShared) w.locked.push_back(f.made);
     }
-    for (const Worker::Facet& f : w.border)
-      for (int m = 0; m < 4; ++m) {
-        if (m == f.k || tets_[f.made].neighbour[m] != kNone) continue;
-        // Around the edge of facets k and m, through the cavity, to the facet around it on the other side.
-        Index t = f.t;
-        int a = m, b = f.k;  // the corners beside the edge: across a, away from b
-        for (Index next; mark_[next = tets_[t].neighbour[a]] == in; t = next) {
-          const int came = tets_[next].neighbour_index(t);
-          a = tets_[next].corner_index(tets_[t].corner[b]);
-          b = came;
-        }
-        const Index other = tets_[t].neighbour[a];
-        tets_[f.made].neighbour[m] = other;
-        tets_[other].neighbour[b] = f.made;
-      }
+    join(w);
     alive_.fetch_add(static_cast<std::int64_t>(w.border.size()) - static_cast<std::int64_t>(w.cavity.size()),
                      std::memory_order_relaxed);
     for (const Index t : w.cavity) {
       tets_[t].corner[0] = kDead;
-      mark_[t] = 0;
+      tets_[t].mark = 0;
       w.free.push_back(t);
     }
     if (kShared) {
@@ -377,18 +442,68 @@ class Triangulation {
       for (const Index t : w.locked)
         if (tets_[t].corner[0] != kDead) release<kShared>(t);
     } else {
-      for (const Worker::Facet& f : w.border) lock_[f.made].store(0, std::memory_order_relaxed);
-      for (const Index t : w.cavity) lock_[t].store(w.id, std::memory_order_relaxed);
+      for (const Worker::Facet& f : w.border) tets_[f.made].lock.store(0, std::memory_order_relaxed);
+      for (const Index t : w.cavity) tets_[t].lock.store(w.id, std::memory_order_relaxed);
+    }
+  }
+
+  // The new tetrahedra to each other, two at every edge of the cavity's surface, which runs along it one way
+  // and the other.
+  void join(Worker& w) {
+    if (w.border.size() > Worker::kFewFacets) return join_many(w);
+    if (w.name.empty()) w.name.assign(sites_.size() + 1, 0);
+    std::size_t count = 0;  // of the surface's sites, which have short names
+    const auto name = [&](Index v) {
+      std::uint8_t& i = w.name[static_cast<std::size_t>(v + 1)];
+      if (i >= count || w.named[i] != v) i = static_cast<std::uint8_t>(count), w.named[count++] = v;
+      return i;
+    };
+    for (std::size_t f = 0; f < w.border.size(); ++f) {
+      const auto& c = tets_[w.border[f].made].corner;
+      const auto& facet = kFacet[w.border[f].k];
+      auto& ends = w.ends[f];
+      for (int j = 0; j < 3; ++j) ends[j] = name(c[facet[j]]);
+      for (int j = 0; j < 3; ++j) w.beside[ends[j]][ends[(j + 1) % 3]] = w.border[f].made;
+    }
+    for (std::size_t f = 0; f < w.border.size(); ++f) {
+      const auto& facet = kFacet[w.border[f].k];
+      const auto& ends = w.ends[f];
+      for (int j = 0; j < 3; ++j)
+        tets_[w.border[f].made].neighbour[facet[(j + 2) % 3]] = w.beside[ends[(j + 1) % 3]][ends[j]];
+    }
+  }
+
+  void join_many(Worker& w) {
+    std::size_t size = 64;
+    while (size < 3 * w.border.size()) size *= 2;  // twice as many places as edges
+    if (w.edges.size() < size) w.edges.assign(size, {0, kNone, 0, 0}), w.insertion = 0;
+    ++w.insertion;
+    for (const Worker::Facet& f : w.border) {
+      const auto& c = tets_[f.made].corner;
+      const auto& facet = kFacet[f.k];
+      for (int j = 0; j < 3; ++j) {
+        const auto a = static_cast<std::uint32_t>(c[facet[j]]),
+                   b = static_cast<std::uint32_t>(c[facet[(j + 1) % 3]]);
+        const std::uint64_t edge = std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+        std::size_t i = (edge * 0x9e3779b97f4a7c15ULL >> 32) & (size - 1);
+        while (w.edges[i].of == w.insertion && w.edges[i].sites != edge) i = (i + 1) & (size - 1);
+        Worker::Edge& e = w.edges[i];
+        const int k = facet[(j + 2) % 3];
+        if (e.of != w.insertion) {
+          e = {edge, f.made, k, w.insertion};
+        } else {
+          tets_[f.made].neighbour[k] = e.made;
+          tets_[e.made].neighbour[e.k] = f.made;
+        }
+      }
     }
   }
 
   const TriangulationLimits& limits_;
   std::atomic<std::int64_t> alive_{0};  // tetrahedra
-  std::vector<Kernel::Point_3> points_;
+  const std::vector<Vec3>& sites_;
   std::unique_ptr<std::atomic<Index>[]> at_;  // a tetrahedron at each site, or kNone: it is not in yet
   std::unique_ptr<Tetrahedron[]> tets_;
-  std::unique_ptr<std::uint32_t[]> mark_;              // by the last insertion that met it: in, out
-  std::unique_ptr<std::atomic<std::uint8_t>[]> lock_;  // the worker's id; 0: none
   std::atomic<std::size_t> used_{0};
   std::size_t capacity_ = 0;
   std::vector<Worker> workers_;
