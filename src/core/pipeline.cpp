@@ -141,10 +141,10 @@ Pipeline::Candidate Pipeline::finish(GuidingSurface film) {
 
 std::vector<double> Pipeline::off_prices() const {
   std::vector<double> prices(sites_.size());
-  for (std::size_t v = 0; v < prices.size(); ++v) {
+  parallel_each(prices.size(), [&](std::size_t v) {
     const double spacing = std::min(geometry_.spacing[v], near_spacing(geometry_, static_cast<Index>(v)));
     prices[v] = kOffPrice * spacing * spacing;
-  }
+  });
   return prices;
 }
 

@@ -2,9 +2,11 @@
 #include "triangle_adjacency.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <utility>
 
+#include "disjoint_sets.h"
 #include "parallel.h"
 
 namespace filmsticking {
@@ -21,18 +23,28 @@ struct HalfEdgesByEnd {
   std::vector<Index> degree, offset;
   std::vector<HalfEdge> half_edge;
   HalfEdgesByEnd(const std::vector<Corners>& triangles, Index vertex_count)
-      : degree(vertex_count, 0), offset(vertex_count + 1, 0), half_edge(triangles.size() * 3) {
-    for (const Corners& t : triangles)
-      for (Index v : t) ++degree[v];
-    for (const Corners& t : triangles)
-      for (int k = 0; k < 3; ++k) ++offset[end(t[k], t[(k + 1) % 3]) + 1];
-    for (std::size_t v = 1; v < offset.size(); ++v) offset[v] += offset[v - 1];
-    std::vector<Index> fill(offset.begin(), offset.end() - 1);
-    for (std::size_t t = 0; t < triangles.size(); ++t)
+      : degree(vertex_count), offset(vertex_count + 1, 0), half_edge(triangles.size() * 3) {
+    // By counting; the order in a bucket does not matter.
+    std::vector<std::atomic<Index>> count(vertex_count);
+    const auto add = [&](Index v) { return count[v].fetch_add(1, std::memory_order_relaxed); };
+    parallel_each(count.size(), [&](std::size_t v) { count[v].store(0, std::memory_order_relaxed); });
+    parallel_each(triangles.size(), [&](std::size_t t) {
+      for (Index v : triangles[t]) add(v);
+    });
+    parallel_each(count.size(), [&](std::size_t v) { degree[v] = count[v].exchange(0); });
+    parallel_each(triangles.size(), [&](std::size_t t) {
+      for (int k = 0; k < 3; ++k) add(end(triangles[t][k], triangles[t][(k + 1) % 3]));
+    });
+    for (std::size_t v = 0; v < count.size(); ++v) {
+      offset[v + 1] = offset[v] + count[v].load(std::memory_order_relaxed);
+      count[v].store(offset[v], std::memory_order_relaxed);
+    }
+    parallel_each(triangles.size(), [&](std::size_t t) {
       for (std::size_t k = 0; k < 3; ++k) {
         const Index a = triangles[t][k], b = triangles[t][(k + 1) % 3], at = end(a, b);
-        half_edge[fill[at]++] = {at == a ? b : a, static_cast<std::uint32_t>(2 * (3 * t + k) + (at == b))};
+        half_edge[add(at)] = {at == a ? b : a, static_cast<std::uint32_t>(2 * (3 * t + k) + (at == b))};
       }
+    });
   }
   Index end(Index a, Index b) const { return std::pair(degree[a], a) < std::pair(degree[b], b) ? a : b; }
 };
@@ -105,44 +117,38 @@ ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex
     check.single_rings = false;
     return check;
   }
-  // Twins pair the half-edges here, so that turning around a vertex comes to an open end or back to the start.
-  std::vector<Index> ring(vertex_count, 0);
-  for (Index h = 0; h < static_cast<Index>(twin.size()); ++h) {
-    const Index v = triangles[h / 3][h % 3];
-    if (ring[v] != 0) continue;
+  // Twins pair the half-edges here, so that turning around a vertex comes to an open end or back to the
+  // start. Of the fans at a vertex any will do: if there are several, none has all of its faces.
+  std::vector<std::atomic<Index>> some(vertex_count);
+  parallel_each(some.size(), [&](std::size_t v) { some[v].store(kNone, std::memory_order_relaxed); });
+  parallel_each(twin.size(), [&](std::size_t h) {
+    some[triangles[h / 3][h % 3]].store(static_cast<Index>(h), std::memory_order_relaxed);
+  });
+  std::atomic<bool> single{true};
+  parallel_each(some.size(), [&](std::size_t v) {
+    const Index h = some[v].load(std::memory_order_relaxed);
+    if (h == kNone) return;
     Index first = h;  // where the fan starts, if it is no ring
     while (twin[first] != kNone && next_in_face(twin[first]) != h) first = next_in_face(twin[first]);
-    Index g = first;
+    Index g = first, faces = 0;
     do {
-      ++ring[v];
+      ++faces;
       g = twin[prev_in_face(g)];
     } while (g != kNone && g != first);
-    if (ring[v] != edges.degree[v]) check.single_rings = false;
-  }
+    if (faces != edges.degree[v]) single = false;
+  });
+  check.single_rings = single;
   if (twins != nullptr) *twins = std::move(twin);
   return check;
 }
 
 Index connected_components(const std::vector<Index>& twins, std::vector<Index>& component) {
-  component.assign(twins.size() / 3, kNone);
-  Index count = 0;
-  std::vector<Index> stack;
-  for (Index seed = 0; seed < static_cast<Index>(component.size()); ++seed) {
-    if (component[seed] != kNone) continue;
-    component[seed] = count;
-    stack.push_back(seed);
-    while (!stack.empty()) {  // ends: a triangle gets its component once
-      const Index t = stack.back();
-      stack.pop_back();
-      for (Index k = 0; k < 3; ++k) {
-        if (twins[3 * t + k] == kNone) continue;
-        const Index u = twins[3 * t + k] / 3;
-        if (component[u] == kNone) component[u] = count, stack.push_back(u);
-      }
-    }
-    ++count;
-  }
-  return count;
+  DisjointSets sets(twins.size() / 3);
+  parallel_each(twins.size(), [&](std::size_t h) {
+    if (twins[h] != kNone && twins[h] < static_cast<Index>(h))
+      sets.unite(static_cast<Index>(h / 3), twins[h] / 3);
+  });
+  return sets.number(component);
 }
 
 SurfaceTopology::SurfaceTopology(const std::vector<Corners>& triangles, Index vertex_count) {

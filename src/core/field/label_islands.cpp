@@ -3,44 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <utility>
 
+#include "disjoint_sets.h"
 #include "parallel.h"
 
 namespace filmsticking {
 namespace {
-
-// Disjoint sets that several threads unite at once: a set is named by its least member, towards which links
-// lead, and a link is only ever set where there was none (Anderson and Woll 1991).
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : link_(n) {
-    parallel_each(n,
-                  [&](std::size_t i) { link_[i].store(static_cast<Index>(i), std::memory_order_relaxed); });
-  }
-  Index find(Index i) {
-    for (Index up = link(i); up != i; up = link(i)) {
-      const Index above = link(up);
-      if (above != up) link_[i].compare_exchange_weak(up, above, std::memory_order_relaxed);
-      i = above;
-    }
-    return i;
-  }
-  void unite(Index a, Index b) {
-    for (;;) {
-      a = find(a), b = find(b);
-      if (a == b) return;
-      if (a < b) std::swap(a, b);
-      Index expected = a;
-      if (link_[a].compare_exchange_strong(expected, b, std::memory_order_relaxed)) return;
-    }
-  }
-
- private:
-  Index link(Index i) const { return link_[i].load(std::memory_order_relaxed); }
-  std::vector<std::atomic<Index>> link_;
-};
 
 struct Facet {
   Index t;
@@ -81,17 +50,8 @@ Pieces find_pieces(const TetrahedralMesh& mesh, const std::vector<char>& inside)
     for (Index u : mesh.tets.neighbours[t])
       if (u < static_cast<Index>(t) && inside[u] == inside[t]) sets.unite(static_cast<Index>(t), u);
   });
-  pieces.of.resize(mesh.size());
-  parallel_each(mesh.size(), [&](std::size_t t) { pieces.of[t] = sets.find(static_cast<Index>(t)); });
-  std::vector<Index> least;
-  for (std::size_t t = 0; t < mesh.size(); ++t)
-    if (pieces.of[t] == static_cast<Index>(t)) least.push_back(pieces.of[t]);
-  pieces.parent.assign(least.size(), kNone);
+  pieces.parent.assign(static_cast<std::size_t>(sets.number(pieces.of)), kNone);
   if (pieces.size() <= 2) return pieces;
-  parallel_each(mesh.size(), [&](std::size_t t) {
-    pieces.of[t] =
-        static_cast<Index>(std::lower_bound(least.begin(), least.end(), pieces.of[t]) - least.begin());
-  });
   pieces.border = find_border(mesh, inside);
   std::vector<std::pair<Index, Index>> beside;
   for (const Facet& f : pieces.border) {

@@ -65,15 +65,20 @@ TetrahedralMesh make_tetrahedral_mesh(Tetrahedra tets, const std::vector<Vec3>& 
 }
 
 std::vector<Corners> tetrahedral_boundary(const TetrahedralMesh& mesh, const std::vector<char>& inside) {
+  constexpr std::size_t kChunk = 16384;
+  std::vector<std::vector<Corners>> parts((mesh.size() + kChunk - 1) / kChunk);
+  parallel_chunks(mesh.size(), kChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      if (!inside[t]) continue;
+      const auto& c = mesh.tets.corners[t];
+      for (int k = 0; k < 4; ++k)
+        if (const Corners f{c[kFacet[k][0]], c[kFacet[k][1]], c[kFacet[k][2]]};
+            !inside[mesh.tets.neighbours[t][k]] && std::count(f.begin(), f.end(), kNone) == 0)
+          parts[chunk].push_back(f);
+    }
+  });
   std::vector<Corners> boundary;
-  for (std::size_t t = 0; t < mesh.size(); ++t) {
-    if (!inside[t]) continue;
-    const auto& c = mesh.tets.corners[t];
-    for (int k = 0; k < 4; ++k)
-      if (const Corners f{c[kFacet[k][0]], c[kFacet[k][1]], c[kFacet[k][2]]};
-          !inside[mesh.tets.neighbours[t][k]] && std::count(f.begin(), f.end(), kNone) == 0)
-        boundary.push_back(f);
-  }
+  for (const auto& part : parts) boundary.insert(boundary.end(), part.begin(), part.end());
   return boundary;
 }
 
