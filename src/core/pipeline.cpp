@@ -56,6 +56,9 @@ constexpr double kReach = 2;
 // than the third, the film from the sphere is tried too.
 constexpr double kLittleTrouble = 0.01, kNoInside = 0.3, kMuchTrouble = 0.1;
 
+// Tetrahedra a site above which the points are on no surface, but on two curves, say.
+constexpr std::int64_t kMostForVirtual = 64;
+
 // Components and handles a site above which two sides are not those of an open surface, but of thin walls,
 // whose layers they confuse.
 constexpr double kMostComplex = 0.015;
@@ -363,6 +366,9 @@ GuidingSurface Pipeline::film_from_outside() {
     if (of_sites(film) && !leaked) break;
   }
   if (!of_sites(film)) return {};
+  // A way out, not what the caller chose: the virtual sites would take the square of the tetrahedra.
+  if (options_.initial_surface == InitialSurface::Carve && report_.tetrahedra > kMostForVirtual * report_.sites)
+    return film;
   film = evolve(std::move(film), with_virtual_sites(film), options_.max_steps, options_.weights);
   // A film that was stopped may still hold the places of virtual sites; a step without them drops these.
   return of_sites(film) ? std::move(film) : evolve(std::move(film), sites_.perturbed, 1, false);

@@ -4,7 +4,9 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <new>
 #include <stdexcept>
 #include <thread>
@@ -81,6 +83,68 @@ TEST(Limits, AQuadraticTriangulationIsRefused) {
   const Result small = reconstruct(skew_lines(400));
   EXPECT_GT(small.report.tetrahedra, 30000);  // quadratic as well, but there are few
   EXPECT_NE(small.status, Status::TooComplex);
+}
+
+std::vector<Point> line_and_circle(int n) {
+  test::Random random(1);
+  std::vector<Point> points;
+  for (int i = 0; i < n; ++i) {
+    const double x = random.uniform(-1, 1), turn = M_PI * random.uniform(-1, 1);
+    points.push_back(i % 2 ? Point{0, 0, x} : Point{std::cos(turn), std::sin(turn), 0});
+  }
+  return points;
+}
+
+// A ring of points, all of which are neighbours of an apex far above it.
+std::vector<Point> cone(int n) {
+  test::Random random(2);
+  std::vector<Point> points{{0, 0, 3}};
+  while (static_cast<int>(points.size()) < n) {
+    const double turn = M_PI * random.uniform(-1, 1);
+    points.push_back({std::cos(turn), std::sin(turn), 0.001 * random.uniform(-1, 1)});
+  }
+  return points;
+}
+
+// Half a sphere around a point that all others are neighbours of.
+std::vector<Point> star(int n) {
+  std::vector<Point> points = test::sphere(n, 3);
+  for (Point& p : points) p[2] = std::abs(p[2]);
+  points[0] = {0, 0, 0};
+  return points;
+}
+
+// With eight times as many tetrahedra their square would take 64 times as long; their number times its
+// logarithm takes ten times, and twice that where one of the clouds gives more trouble than the other. By the
+// processor's time, which other programs hardly change.
+TEST(Limits, TimeFollowsTheTetrahedra) {
+  struct Case {
+    const char* name;
+    std::vector<Point> (*points)(int);
+    int few, many;
+  };
+  for (const Case& c :
+       {Case{"two lines", skew_lines, 350, 1000}, Case{"line and circle", line_and_circle, 350, 1000},
+        Case{"cone", cone, 4000, 32000}, Case{"star", star, 4000, 32000}}) {
+    Options options;
+    options.threads = 1;
+    double seconds[2];
+    std::int64_t tetrahedra[2];
+    for (const bool many : {false, true}) {
+      const auto points = c.points(many ? c.many : c.few);
+      const std::clock_t start = std::clock();
+      const Result result = reconstruct(points, options);
+      seconds[many] = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+      tetrahedra[many] = result.report.tetrahedra;
+      EXPECT_EQ(result.status, Status::Ok) << c.name << ": " << result.message;
+      // Such a film is a way out: virtual sites would take the square.
+      if (result.report.tetrahedra < 64 * result.report.sites) continue;
+      for (const StepRecord& step : result.report.steps) EXPECT_EQ(step.virtual_left, 0) << c.name;
+    }
+    EXPECT_NEAR(static_cast<double>(tetrahedra[1]) / static_cast<double>(tetrahedra[0]), 8, 0.5) << c.name;
+    EXPECT_LT(seconds[1], 32 * seconds[0])
+        << c.name << ": " << seconds[0] << " s, then " << seconds[1] << " s";
+  }
 }
 
 TEST(Limits, SurfacesAreFarFromTheBound) {
