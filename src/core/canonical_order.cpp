@@ -31,7 +31,8 @@ Tetrahedra in_canonical_order(Tetrahedra tets, std::size_t sites) {
   const std::size_t n = tets.size();
   parallel_each(n, [&](std::size_t t) { turn_canonical(tets.corners[t], tets.neighbours[t]); });
   // By the least corner by counting, and by the others among its few.
-  std::vector<Index> offset(sites + 1, 0), order(n), place(n);
+  std::vector<Index> offset(sites + 1, 0);
+  UnsetVector<Index> order(n), place(n);
   for (const auto& c : tets.corners) ++offset[c[0] + 1];
   for (std::size_t v = 1; v < offset.size(); ++v) offset[v] += offset[v - 1];
   {
@@ -50,7 +51,7 @@ Tetrahedra in_canonical_order(Tetrahedra tets, std::size_t sites) {
   Tetrahedra sorted;
   sorted.corners.resize(n);
   parallel_each(n, [&](std::size_t t) { sorted.corners[t] = tets.corners[order[t]]; });
-  std::vector<std::array<Index, 4>>().swap(tets.corners);
+  decltype(tets.corners)().swap(tets.corners);
   sorted.neighbours.resize(n);
   parallel_each(n, [&](std::size_t t) {
     for (int k = 0; k < 4; ++k) sorted.neighbours[t][k] = place[tets.neighbours[order[t]][k]];

@@ -118,7 +118,7 @@ class Triangulation {
 
   Tetrahedra result() {
     const std::size_t used = std::min(used_.load(), capacity_);
-    std::vector<Index> place(used);
+    UnsetVector<Index> place(used);
     Index count = 0;
     for (std::size_t t = 0; t < used; ++t) place[t] = tets_[t].corner[0] == kDead ? kNone : count++;
     Tetrahedra result;

@@ -4,8 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "work_limits.h"
+#include "unset_vector.h"
 #include "vec.h"
+#include "work_limits.h"
 
 namespace filmsticking {
 
@@ -32,8 +33,8 @@ struct PowerDiagram {
 
 /// The Delaunay tetrahedra of some sites, infinite ones included.
 struct Tetrahedra {
-  std::vector<std::array<Index, 4>> corners;     ///< positively oriented; kNone: the vertex at infinity
-  std::vector<std::array<Index, 4>> neighbours;  ///< across the facet opposite corner k
+  UnsetVector<std::array<Index, 4>> corners;     ///< positively oriented; kNone: the vertex at infinity
+  UnsetVector<std::array<Index, 4>> neighbours;  ///< across the facet opposite corner k
 
   std::size_t size() const { return corners.size(); }
   bool infinite(Index t) const {

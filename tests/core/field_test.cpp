@@ -298,7 +298,7 @@ TEST(MinimumCut, IsMinimal) {
     std::vector<Index> ends(4 * n);
     for (int i = 0; i < 4 * n; ++i) ends[i] = i;
     for (int i = 4 * n; i > 1; --i) std::swap(ends[i - 1], ends[random.below(i)]);
-    std::vector<std::array<Index, 4>> mirror(n);
+    UnsetVector<std::array<Index, 4>> mirror(n);
     CutGraph graph{mirror, {}, {}};
     graph.capacity.assign(n, {0, 0, 0, 0});
     for (int i = 0; i < 4 * n; i += 2) {

@@ -33,11 +33,12 @@ double cosine(const TetrahedralMesh& mesh, Index t, const Vec3& corner, const Ve
 FacetEvidence facet_evidence(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
                              const SiteGeometry& geometry) {
   FacetEvidence evidence;
-  evidence.area.assign(mesh.size(), {0, 0, 0, 0});
-  evidence.votes.assign(mesh.size(), {0, 0, 0, 0});
-  evidence.cost.assign(mesh.size(), {0, 0, 0, 0});
+  evidence.area.resize(mesh.size());
+  evidence.votes.resize(mesh.size());
+  evidence.cost.resize(mesh.size());
   parallel_each(mesh.size(), [&](std::size_t ti) {
     const Index t = static_cast<Index>(ti);
+    evidence.area[t] = {0, 0, 0, 0}, evidence.votes[t] = {0, 0, 0, 0}, evidence.cost[t] = {0, 0, 0, 0};
     for (int k = 0; k < 4; ++k) {
       const Index mirror = mesh.mirror[t][k], u = mirror / 4;
       if (mirror < 4 * t + k) continue;  // the other side fills in

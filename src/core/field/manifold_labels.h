@@ -13,7 +13,7 @@ namespace filmsticking {
 
 /// What a labelling of the tetrahedra as inside or outside costs, in units of area.
 struct LabelCosts {
-  const std::vector<std::array<float, 4>>& facet;  ///< [t][k]: to have facet k of t on the surface
+  const UnsetVector<std::array<float, 4>>& facet;  ///< [t][k]: to have facet k of t on the surface
   std::vector<double> hold;                        ///< [t]: > 0 to leave t outside; < 0 to have it inside
   std::vector<double> off;                         ///< [site]: to leave it off the surface
 };

@@ -16,11 +16,11 @@ class Solver {
   explicit Solver(CutGraph& graph)
       : g_(graph),
         n_(static_cast<Index>(graph.terminal.size())),
-        tree_(n_, 0),
-        parent_(n_, kNone),
-        active_flag_(n_, 0),
-        time_(n_, 0),
-        distance_(n_, 0) {}
+        tree_(n_),
+        parent_(n_),
+        active_flag_(n_),
+        time_(n_),
+        distance_(n_) {}
 
   // Ends: a bridge raises the flow, which is of whole numbers and no more than the terminals hold; without
   // one a node less is active, and nodes become active again only with a bridge.
@@ -72,6 +72,7 @@ class Solver {
     parallel_each(tree_.size(), [&](std::size_t node) {
       const Index i = static_cast<Index>(node);
       tree_[i] = static_cast<signed char>(root(i));
+      parent_[i] = kNone, active_flag_[i] = 0, time_[i] = 0, distance_[i] = 0;
       if (tree_[i] == 0) return;
       parent_[i] = kTerminal;
       distance_[i] = 1;
@@ -211,10 +212,10 @@ class Solver {
 
   CutGraph& g_;
   const Index n_;
-  std::vector<signed char> tree_;
-  std::vector<Index> parent_;  // the arc from a node to its parent
-  std::vector<char> active_flag_;
-  std::vector<Index> time_, distance_;
+  UnsetVector<signed char> tree_;
+  UnsetVector<Index> parent_;  // the arc from a node to its parent
+  UnsetVector<char> active_flag_;
+  UnsetVector<Index> time_, distance_;
   std::deque<Index> active_, orphans_;
   Index clock_ = 0;
 };

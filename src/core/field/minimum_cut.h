@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "unset_vector.h"
 #include "work_limits.h"
 #include "vec.h"
 
@@ -13,10 +14,10 @@ namespace filmsticking {
 /// A graph whose nodes have four arcs each: the dual of a tetrahedral mesh.
 struct CutGraph {
   /// The arc back along arc k of node t, as 4 * node + arc.
-  const std::vector<std::array<Index, 4>>& mirror;
-  std::vector<std::array<std::int32_t, 4>> capacity;  ///< of the arc from node t through k; equal both ways,
+  const UnsetVector<std::array<Index, 4>>& mirror;
+  UnsetVector<std::array<std::int32_t, 4>> capacity;  ///< of the arc from node t through k; equal both ways,
                                                       ///< 0 to 1e9
-  std::vector<std::int64_t> terminal;  ///< > 0: cost of leaving the source's side; < 0: the sink's
+  UnsetVector<std::int64_t> terminal;  ///< > 0: cost of leaving the source's side; < 0: the sink's
 };
 
 /// The side of each node in a minimum cut: 1 source, 0 sink. Boykov and Kolmogorov, "An experimental

@@ -28,8 +28,8 @@ std::vector<double> signed_field(const TetrahedralMesh& mesh, const FacetEvidenc
   auto given = [&](std::size_t t) { return mesh.tets.infinite(static_cast<Index>(t)); };
   // With the unknowns scaled by the roots of the diagonal, the matrix has ones on it. The given ones have
   // neither rows nor columns. Single precision is enough for what is added to the guess.
-  std::vector<std::array<float, 4>> coupling(n);
-  std::vector<float> root(n), residual(n);
+  UnsetVector<std::array<float, 4>> coupling(n);
+  UnsetVector<float> root(n), residual(n), change(n), direction(n), image(n), pull(n);
   auto strength = [&](std::size_t t, int k) {
     return kVoteCoupling[evidence.votes[t][k]] * double{evidence.area[t][k]} * unit;
   };
@@ -44,7 +44,7 @@ std::vector<double> signed_field(const TetrahedralMesh& mesh, const FacetEvidenc
   });
   double rr = parallel_sum(n, [&](std::size_t t) {
     coupling[t] = {0, 0, 0, 0};
-    residual[t] = 0;
+    residual[t] = change[t] = direction[t] = image[t] = 0;
     if (root[t] == 0) return 0.0;
     double row = 1e-9 * x[t];
     for (int k = 0; k < 4; ++k) {
@@ -59,7 +59,6 @@ std::vector<double> signed_field(const TetrahedralMesh& mesh, const FacetEvidenc
   const double enough = kTolerance * kTolerance * scale;
   if (!(rr > enough)) return x;
 
-  std::vector<float> change(n, 0), direction(n, 0), image(n, 0), pull(n);
   double step = 0, last = 0;
   // Conjugate gradients with both products of an iteration taken at once (Chronopoulos and Gear 1989).
   for (int iteration = 0; iteration < kMaxIterations && rr > enough; ++iteration) {

@@ -14,9 +14,9 @@ constexpr int kFacet[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 /// The Delaunay tetrahedra with what the field methods ask of them.
 struct TetrahedralMesh {
   Tetrahedra tets;
-  std::vector<std::array<Index, 4>> mirror;  ///< across facet k: the neighbour's facet, as 4 * tet + facet
-  std::vector<Vec3> circumcentre;    ///< for an infinite one: the outward unit normal of its hull facet
-  std::vector<double> circumradius;  ///< for an infinite one: infinity
+  UnsetVector<std::array<Index, 4>> mirror;  ///< across facet k: the neighbour's facet, as 4 * tet + facet
+  UnsetVector<Vec3> circumcentre;    ///< for an infinite one: the outward unit normal of its hull facet
+  UnsetVector<double> circumradius;  ///< for an infinite one: infinity
 
   std::size_t size() const { return tets.size(); }
 };
