@@ -7,7 +7,7 @@
 namespace filmsticking::capture {
 
 Accumulator::Accumulator(AccumulatorOptions options, std::unique_ptr<PoseSource> poses)
-    : options_(std::move(options)), poses_(std::move(poses)) {}
+    : options_(options), poses_(std::move(poses)) {}
 
 std::optional<std::string> Accumulator::add(const Frame& frame) {
   try {

@@ -61,7 +61,7 @@ class HeaderReader {
   /// The words behind the keyword of the next line.
   Words take(std::string_view keyword) {
     if (!is(keyword)) refuse(std::string(keyword) + " is not where it belongs");
-    const Words values(words_.begin() + 1, words_.end());
+    Words values(words_.begin() + 1, words_.end());
     if (keyword != "DATA") advance();
     return values;
   }

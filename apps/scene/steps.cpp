@@ -26,6 +26,7 @@ std::vector<Step> read_steps(const std::string& folder) {
     return left.size() != right.size() ? left.size() < right.size() : left < right;
   });
   std::vector<Step> steps;
+  steps.reserve(files.size());
   for (const fs::path& file : files)
     steps.push_back({file.filename().string(),
                      io::with_file(file.string(), [&] { return io::read_mesh(file.string()); })});

@@ -12,6 +12,7 @@ std::size_t attraction_weights(const GuidingSurface& film, const std::vector<Vec
                                const std::vector<Index>& off, std::vector<double>& weights) {
   weights.assign(sites.size(), 0);
   std::vector<Vec3> off_positions;
+  off_positions.reserve(off.size());
   for (Index q : off) off_positions.push_back(sites[q]);
   const PointTree off_tree(off_positions), vertex_tree(film.positions);
   const SurfaceTree surface_tree(film);

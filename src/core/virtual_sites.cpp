@@ -39,7 +39,7 @@ std::vector<Vec3> by_local_scale(const std::vector<Ball>& balls, std::size_t mos
   int coarsest = 0, finest = 0;
   bool first = true;
   auto key = [](int level, std::int64_t x, std::int64_t y, std::int64_t z) {
-    std::uint64_t h = static_cast<std::uint64_t>(level + 1024);
+    auto h = static_cast<std::uint64_t>(std::int64_t{level} + 1024);
     for (std::int64_t c : {x, y, z})
       h = (h ^ static_cast<std::uint64_t>(c + (1 << 30))) * 0x9e3779b97f4a7c15ULL, h ^= h >> 31;
     return h;

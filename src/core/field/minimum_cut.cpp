@@ -184,7 +184,7 @@ class Solver {
     while (!orphans_.empty()) {
       const Index i = orphans_.front();
       orphans_.pop_front();
-      const int tree = tree_[i];
+      const auto tree = tree_[i];
       Index best = kNone, least = 0;
       for (Index k = 0; k < 4; ++k) {
         const Index arc = 4 * i + k, j = mirror(arc) / 4;
