@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "delaunay.h"
@@ -162,13 +163,14 @@ Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conv
   });
 
   Candidate candidate;
+  std::optional<Sculptor> sculptor;
   std::vector<double> grown;  // instead of costs.hold, if there is a second cut
   std::vector<char> labels, aim;
   std::size_t labels_off = n + 1, aim_off = n + 1, last_off = n;
   for (int i = 0; i < kCuts; ++i) {
     monitor_.enter("sculpting", monitor_.share());
-    const std::vector<char> inside =
-        sculpt(mesh_, evidence_, grown.empty() ? costs.hold : grown, open, monitor_.cancel());
+    if (!sculptor) sculptor.emplace(mesh_, evidence_, costs.hold, open);
+    const std::vector<char> inside = sculptor->cut(monitor_.cancel());
     std::vector<char> sides(n, 0);  // of each site: 1 inside, 2 outside, 3 both: it is on the surface
     for (std::size_t t = 0; t < mesh_.size(); ++t)
       for (Index v : mesh_.tets.corners[t])
@@ -187,10 +189,14 @@ Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conv
     for (std::size_t t = 0; t < mesh_.size(); ++t)
       for (Index v : mesh_.tets.corners[t])
         if (v != kNone && sides[v] != 3) {
+          const double before = grown[t];
           grown[t] *= kConvictionGrowth;
+          sculptor->hold_firmly(static_cast<Index>(t), before, grown[t]);
           break;
         }
   }
+  sculptor.reset();  // it is large
+  std::vector<double>().swap(grown);
   // What keeps fewer than half has lost the shape.
   if (2 * aim_off > n) return candidate;
 

@@ -398,13 +398,36 @@ TEST(Sculpt, FollowsTheEvidenceWhereTheBeliefIsVague) {
   std::vector<double> hold(s.mesh.size(), 0);
   for (std::size_t t = 0; t < hold.size(); ++t)
     for (const double area : s.evidence.area[t]) hold[t] += 0.1 * area * belief[t];
-  std::vector<char> inside = sculpt(s.mesh, s.evidence, hold);
+  std::vector<char> inside = Sculptor(s.mesh, s.evidence, hold).cut();
   const LabelCosts costs = costs_of(s);
   ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
   manifold.repair();
   const GuidingSurface film = film_of_sites(tetrahedral_boundary(s.mesh, inside), s.set.perturbed);
   EXPECT_GT(film.site.size(), 2990u);
   EXPECT_LT(film_quality(film, s.geometry).disagreement, 0.02);
+}
+
+TEST(Sculpt, ACutThatGoesOnIsACutFromTheStart) {
+  const Setting s(test::torus(1500, 4));
+  test::Random random(5);
+  std::vector<double> hold(s.mesh.size());
+  for (std::size_t t = 0; t < hold.size(); ++t)
+    for (const double area : s.evidence.area[t]) hold[t] += random.uniform(-1, 1) * area;
+  for (const bool open : {false, true}) {
+    std::vector<double> now = hold;
+    Sculptor sculptor(s.mesh, s.evidence, now, open);
+    for (int turn = 0; turn < 5; ++turn) {
+      const std::vector<char> inside = sculptor.cut();
+      EXPECT_GT(std::count(inside.begin(), inside.end(), 1), 0);
+      EXPECT_EQ(inside, Sculptor(s.mesh, s.evidence, now, open).cut());
+      for (std::size_t t = 0; t < now.size(); ++t) {
+        if (random.below(3) > 0) continue;
+        const double before = now[t];
+        now[t] *= random.uniform(1, 3);
+        sculptor.hold_firmly(static_cast<Index>(t), before, now[t]);
+      }
+    }
+  }
 }
 
 TEST(Poisson, SeparatesInsideFromOutside) {

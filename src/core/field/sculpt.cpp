@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "minimum_cut.h"
 #include "parallel.h"
 
 namespace filmsticking {
@@ -15,34 +14,45 @@ constexpr std::int64_t kMostCapacity = 1000000000;
 
 }  // namespace
 
-std::vector<char> sculpt(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
-                         const std::vector<double>& hold, bool open, const Cancel& cancel) {
-  CutGraph graph{mesh.mirror, {}, {}};
-  graph.capacity.resize(mesh.size());
-  graph.terminal.resize(mesh.size());
+Sculptor::Sculptor(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
+                   const std::vector<double>& hold, bool open)
+    : mesh_(mesh), open_(open), graph_{mesh.mirror, {}, {}}, fallback_(mesh.size()) {
+  graph_.capacity.resize(mesh.size());
+  graph_.terminal.resize(mesh.size());
   const double sum = parallel_sum(mesh.size(), [&](std::size_t t) {
     const auto& c = evidence.cost[t];
     return double{c[0]} + c[1] + c[2] + c[3];
   });
   // Whole numbers, so that the flow is exact and ends: a mean facet costs some thousands.
-  const double unit = sum > 0 ? 4096.0 * 4.0 * static_cast<double>(mesh.size()) / sum : 1;
-  auto price = [&](double cost) {
-    return static_cast<std::int64_t>(std::llround(std::min(cost * unit, 1e12)));
-  };
-  std::vector<char> fallback(mesh.size());
+  if (sum > 0) unit_ = 4096.0 * 4.0 * static_cast<double>(mesh.size()) / sum;
   parallel_each(mesh.size(), [&](std::size_t t) {
     const bool infinite = !open && mesh.tets.infinite(static_cast<Index>(t));
     for (int k = 0; k < 4; ++k)
-      graph.capacity[t][k] =
+      graph_.capacity[t][k] =
           static_cast<std::int32_t>(std::min<std::int64_t>(price(evidence.cost[t][k]), kMostCapacity));
     const std::int64_t held = price(std::abs(hold[t]));
-    graph.terminal[t] = infinite ? -(std::int64_t(1) << 50) : hold[t] > 0 ? held : -held;
-    fallback[t] = !infinite && hold[t] > 0;
+    graph_.terminal[t] = infinite ? -(std::int64_t(1) << 50) : hold[t] > 0 ? held : -held;
+    fallback_[t] = !infinite && hold[t] > 0;
   });
-  std::vector<char> inside = minimum_cut(graph, fallback, cancel);
-  for (std::size_t t = 0; t < mesh.size(); ++t)
-    if (!open && mesh.tets.infinite(static_cast<Index>(t))) inside[t] = 0;
+}
+
+std::int64_t Sculptor::price(double cost) const {
+  return static_cast<std::int64_t>(std::llround(std::min(cost * unit_, 1e12)));
+}
+
+std::vector<char> Sculptor::cut(const Cancel& cancel) {
+  std::vector<char> inside = minimum_cut(graph_, fallback_, cancel);
+  parallel_each(mesh_.size(), [&](std::size_t t) {
+    if (!open_ && mesh_.tets.infinite(static_cast<Index>(t))) inside[t] = 0;
+  });
   return inside;
+}
+
+// What is left of a larger flow is what was left of the smaller one and what has been added.
+void Sculptor::hold_firmly(Index t, double before, double now) {
+  if (!open_ && mesh_.tets.infinite(t)) return;
+  const std::int64_t more = price(std::abs(now)) - price(std::abs(before));
+  graph_.terminal[t] += now > 0 ? more : -more;
 }
 
 }  // namespace filmsticking

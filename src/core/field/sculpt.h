@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "facet_evidence.h"
-#include "work_limits.h"
+#include "minimum_cut.h"
 #include "tetrahedral_mesh.h"
+#include "work_limits.h"
 
 namespace filmsticking {
 
@@ -14,7 +16,29 @@ namespace filmsticking {
 /// surface. hold[t]: > 0 what it costs to leave t outside, < 0 to have it inside, in the unit of the evidence
 /// (area). Infinite ones are outside whatever it says, unless the surface may be `open`: then it may reach
 /// infinity, which is where its rim is.
-std::vector<char> sculpt(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
-                         const std::vector<double>& hold, bool open = false, const Cancel& cancel = {});
+///
+/// Beliefs may be held more firmly from cut to cut, and a cut goes on from the flow of the one before: its
+/// labels are those of a cut from the start.
+class Sculptor {
+ public:
+  /// `mesh` must outlive it.
+  Sculptor(const TetrahedralMesh& mesh, const FacetEvidence& evidence, const std::vector<double>& hold,
+           bool open = false);
+
+  /// 1 inside, 0 outside.
+  std::vector<char> cut(const Cancel& cancel = {});
+
+  /// hold[t] was `before` and is `now`, which has the same sign and is no smaller.
+  void hold_firmly(Index t, double before, double now);
+
+ private:
+  std::int64_t price(double cost) const;
+
+  const TetrahedralMesh& mesh_;
+  const bool open_;
+  double unit_ = 1;
+  CutGraph graph_;
+  std::vector<char> fallback_;
+};
 
 }  // namespace filmsticking
