@@ -44,8 +44,8 @@ struct Tetrahedra {
 };
 
 /// A Delaunay triangulation that sites can leave. Sites at the same place count once.
-/// Throws TooManyTetrahedra as soon as its sites so far make more than are allowed: those of sites that lie on
-/// two curves grow with the square of their number.
+/// Throws TooManyTetrahedra as soon as its sites so far make more than are allowed: those of sites that lie
+/// on two curves grow with the square of their number.
 class DelaunayTriangulation {
  public:
   explicit DelaunayTriangulation(std::vector<Vec3> sites, const TriangulationLimits& limits = {});

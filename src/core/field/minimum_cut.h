@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "unset_vector.h"
-#include "work_limits.h"
 #include "vec.h"
+#include "work_limits.h"
 
 namespace filmsticking {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "facet_evidence.h"
-#include "work_limits.h"
 #include "tetrahedral_mesh.h"
+#include "work_limits.h"
 
 namespace filmsticking {
 

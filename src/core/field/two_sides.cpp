@@ -29,7 +29,7 @@ class SignedClusters {
     for (; parent_[root] != root; root = parent_[root]) sign *= sign_[root];
     for (int rest = sign; parent_[i] != i;) {  // the path points at the root from now on
       const Index next = parent_[i];
-      const int own = sign_[i];
+      const auto own = sign_[i];
       parent_[i] = root, sign_[i] = static_cast<signed char>(rest);
       rest *= own, i = next;
     }

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "facet_evidence.h"
-#include "work_limits.h"
 #include "site_geometry.h"
 #include "tetrahedral_mesh.h"
+#include "work_limits.h"
 
 namespace filmsticking {
 
