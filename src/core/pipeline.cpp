@@ -225,13 +225,13 @@ GuidingSurface Pipeline::film_of(const std::vector<char>& labels) const {
 }
 
 // For the candidate that was chosen, not before: its handles tell a bad one.
-Pipeline::Candidate Pipeline::without_tunnels(Candidate candidate) {
+Pipeline::Candidate Pipeline::without_gaps(Candidate candidate) {
   if (candidate.labels.empty()) return candidate;
-  monitor_.enter("tunnels", monitor_.share());
+  monitor_.enter("gaps", monitor_.share());
   const LabelCosts costs{evidence_.cost, std::move(candidate.hold), off_prices()};
   ManifoldLabels manifold(mesh_, geometry_, costs, candidate.labels, monitor_.cancel());
   manifold.repair(exempt(candidate.labels));  // it takes the census
-  manifold.close_tunnels();
+  manifold.fill_gaps();
   if (options_.insert_leftover) manifold.reach();
   candidate.inserted += manifold.counts().reached;
   candidate.film = film_of(candidate.labels);
@@ -325,7 +325,7 @@ Pipeline::Candidate Pipeline::carve() {
     Candidate other = judged(cut(carve_belief(width, kCarveSlope), kConviction));
     if (other.score() < best.score()) best = std::move(other);
   }
-  best = without_tunnels(std::move(best));
+  best = without_gaps(std::move(best));
   const auto enough = static_cast<std::int64_t>(kMuchTrouble * static_cast<double>(sites_.size()));
   if (!best.film.triangles.empty() && best.quality.off <= enough) return best;
   Candidate film = finish(film_from_outside());

@@ -80,8 +80,25 @@ std::optional<std::int64_t> euler_if_manifold(const Setting& s, const std::vecto
   return vertices - static_cast<std::int64_t>(film.triangles.size()) / 2;
 }
 
+struct Topology {
+  std::int64_t components = 0, handles = 0;
+};
+
+// Of a surface that is a closed manifold.
+Topology topology(const Setting& s, const std::vector<char>& inside) {
+  const GuidingSurface film = film_of_sites(tetrahedral_boundary(s.mesh, inside), s.set.perturbed);
+  const Index vertices = static_cast<Index>(film.positions.size());
+  std::vector<Index> twin, component;
+  Topology result;
+  if (film.triangles.empty() || !check_manifold(film.triangles, vertices, &twin).ok()) return result;
+  result.components = connected_components(twin, component);
+  result.handles =
+      result.components - (vertices - static_cast<std::int64_t>(film.triangles.size()) / 2) / 2;
+  return result;
+}
+
 TEST(ManifoldLabels, AreAManifoldInEveryRoomForAnyLabels) {
-  std::int64_t singular = 0, reached = 0, tunnels = 0;
+  std::int64_t singular = 0, reached = 0, tunnels = 0, tears = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Setting s(seed % 2 ? test::sphere(120, seed) : test::torus(200, seed));
     std::vector<char> inside = random_labels(s.mesh, seed);
@@ -93,11 +110,15 @@ TEST(ManifoldLabels, AreAManifoldInEveryRoomForAnyLabels) {
     EXPECT_TRUE(euler_if_manifold(s, inside)) << seed;
     manifold.reach();
     EXPECT_TRUE(euler_if_manifold(s, inside)) << seed;
-    const auto before = euler_if_manifold(s, inside);
-    manifold.close_tunnels();
+    const Topology before = topology(s, inside);
+    manifold.fill_gaps();
     ASSERT_TRUE(euler_if_manifold(s, inside)) << seed;
-    EXPECT_EQ(*euler_if_manifold(s, inside) > *before, manifold.counts().tunnels > 0) << seed;
-    tunnels += manifold.counts().tunnels;
+    const Topology after = topology(s, inside);
+    EXPECT_LE(after.handles, before.handles) << seed;
+    EXPECT_LE(after.components, before.components) << seed;
+    EXPECT_EQ(after.handles < before.handles, manifold.counts().tunnels > 0) << seed;
+    EXPECT_EQ(after.components < before.components, manifold.counts().tears > 0) << seed;
+    tunnels += manifold.counts().tunnels, tears += manifold.counts().tears;
     singular += manifold.counts().singular, reached += manifold.counts().reached;
     for (std::size_t t = 0; t < inside.size(); ++t)
       EXPECT_FALSE(inside[t] && s.mesh.tets.infinite(static_cast<Index>(t)));
@@ -105,6 +126,7 @@ TEST(ManifoldLabels, AreAManifoldInEveryRoomForAnyLabels) {
   EXPECT_GT(singular, 0);  // there was something to do
   EXPECT_GT(reached, 0);
   EXPECT_GT(tunnels, 0);
+  EXPECT_GT(tears, 0);
 }
 
 TEST(ManifoldLabels, ATunnelThatNoSamplesLineIsFilled) {
@@ -133,7 +155,7 @@ TEST(ManifoldLabels, ATunnelThatNoSamplesLineIsFilled) {
     const auto before = euler_if_manifold(s, inside);
     ASSERT_GT(tetrahedral_boundary(s.mesh, inside).size(), 5000u) << seed;
     if (before != 0) continue;  // the repair filled it, or left more to do
-    manifold.close_tunnels();
+    manifold.fill_gaps();
     ++tunnels, filled += euler_if_manifold(s, inside) == 2;
   }
   EXPECT_GE(tunnels, 3);
@@ -154,8 +176,65 @@ TEST(ManifoldLabels, ATunnelThatSamplesLineIsKept) {
     manifold.repair();
     ASSERT_GT(tetrahedral_boundary(s.mesh, inside).size(), 2500u);
     ASSERT_EQ(euler_if_manifold(s, inside), 0);
-    manifold.close_tunnels();
+    manifold.fill_gaps();
     EXPECT_EQ(euler_if_manifold(s, inside), 0);
+  }
+}
+
+// An ellipsoid: no five of its points are on a sphere, so its tetrahedra are well away from flat.
+std::vector<Point> ellipsoid(int n, std::uint64_t seed, double x0) {
+  std::vector<Point> points = test::sphere(n, seed);
+  for (Point& p : points) p = {x0 + p[0], 0.8 * p[1], 0.6 * p[2]};
+  return points;
+}
+
+TEST(ManifoldLabels, ATornWallIsJoined) {
+  const double thickness = 0.02;  // a spacing
+  const auto bend = [](double x, double y) { return 0.2 * (x * x + 1.3 * y * y); };
+  int torn = 0, joined = 0;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    std::vector<Point> points = test::box(5000, seed, {1, 1, thickness});
+    for (Point& p : points) p[2] += bend(p[0], p[1]);
+    const Setting s(points);
+    std::vector<char> inside(s.mesh.size(), 0);
+    for (std::size_t t = 0; t < inside.size(); ++t) {
+      if (s.mesh.tets.infinite(static_cast<Index>(t))) continue;
+      const Point p = s.set.to_input(s.centre(t));
+      const double z = p[2] - bend(p[0], p[1]);
+      inside[t] = z > 0 && z < thickness && std::abs(p[0] - 0.5) > 0.03;
+    }
+    const LabelCosts costs = costs_of(s);
+    ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
+    manifold.repair();
+    if (topology(s, inside).components == 1) continue;  // the repair joined it
+    manifold.fill_gaps();
+    ++torn, joined += topology(s, inside).components == 1;
+  }
+  EXPECT_GE(torn, 3);
+  EXPECT_EQ(joined, torn);
+}
+
+TEST(ManifoldLabels, PartsCloseToEachOtherStayApart) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    std::vector<Point> points = ellipsoid(1500, seed, 0);
+    const std::vector<Point> second = ellipsoid(1500, seed + 100, 2.11);  // one and a half spacings away
+    points.insert(points.end(), second.begin(), second.end());
+    const Setting s(points);
+    const auto in = [](const Point& p, double x0) {
+      return std::pow(p[0] - x0, 2) + std::pow(p[1] / 0.8, 2) + std::pow(p[2] / 0.6, 2) < 1;
+    };
+    std::vector<char> inside(s.mesh.size(), 0);
+    for (std::size_t t = 0; t < inside.size(); ++t) {
+      if (s.mesh.tets.infinite(static_cast<Index>(t))) continue;
+      const Point p = s.set.to_input(s.centre(t));
+      inside[t] = in(p, 0) || in(p, 2.11);
+    }
+    const LabelCosts costs = costs_of(s);
+    ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
+    manifold.repair();
+    ASSERT_EQ(topology(s, inside).components, 2) << seed;
+    manifold.fill_gaps();
+    EXPECT_EQ(topology(s, inside).components, 2) << seed;
   }
 }
 
@@ -190,13 +269,6 @@ TEST(ManifoldLabels, WarpAndReachKeepTheTopology) {
     manifold.reach();
     EXPECT_EQ(euler_if_manifold(s, inside), before) << seed;
   }
-}
-
-// An ellipsoid: no five of its points are on a sphere, so its tetrahedra are well away from flat.
-std::vector<Point> ellipsoid(int n, std::uint64_t seed, double x0) {
-  std::vector<Point> points = test::sphere(n, seed);
-  for (Point& p : points) p = {x0 + p[0], 0.8 * p[1], 0.6 * p[2]};
-  return points;
 }
 
 // Below 1 inside the ellipsoid at x0.

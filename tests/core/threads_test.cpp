@@ -80,13 +80,15 @@ TEST(Threads, OneTwoAndEightGiveTheSameBytes) {
   const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
   std::mutex guard;
   std::set<std::thread::id> seen;
-  tbb::task_arena(8).execute([&] {
-    tbb::parallel_for(0, 64, [&](int) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      const std::lock_guard<std::mutex> lock(guard);
-      seen.insert(std::this_thread::get_id());
+  // A busy machine may start them late.
+  for (int turn = 0; turn < 100 && seen.size() <= 4; ++turn)
+    tbb::task_arena(8).execute([&] {
+      tbb::parallel_for(0, 64, [&](int) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        const std::lock_guard<std::mutex> lock(guard);
+        seen.insert(std::this_thread::get_id());
+      });
     });
-  });
   ASSERT_GT(seen.size(), 4u);
 
   for (Job& one : jobs()) {

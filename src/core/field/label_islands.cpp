@@ -45,12 +45,7 @@ std::vector<Facet> find_border(const TetrahedralMesh& mesh, const std::vector<ch
 // All that is known of one or two pieces is their number.
 Pieces find_pieces(const TetrahedralMesh& mesh, const std::vector<char>& inside) {
   Pieces pieces;
-  DisjointSets sets(mesh.size());
-  parallel_each(mesh.size(), [&](std::size_t t) {
-    for (Index u : mesh.tets.neighbours[t])
-      if (u < static_cast<Index>(t) && inside[u] == inside[t]) sets.unite(static_cast<Index>(t), u);
-  });
-  pieces.parent.assign(static_cast<std::size_t>(sets.number(pieces.of)), kNone);
+  pieces.parent.assign(static_cast<std::size_t>(label_pieces(mesh, inside, pieces.of)), kNone);
   if (pieces.size() <= 2) return pieces;
   pieces.border = find_border(mesh, inside);
   std::vector<std::pair<Index, Index>> beside;
@@ -84,6 +79,15 @@ Pieces find_pieces(const TetrahedralMesh& mesh, const std::vector<char>& inside)
 }
 
 }  // namespace
+
+Index label_pieces(const TetrahedralMesh& mesh, const std::vector<char>& inside, std::vector<Index>& piece) {
+  DisjointSets sets(mesh.size());
+  parallel_each(mesh.size(), [&](std::size_t t) {
+    for (Index u : mesh.tets.neighbours[t])
+      if (u < static_cast<Index>(t) && inside[u] == inside[t]) sets.unite(static_cast<Index>(t), u);
+  });
+  return sets.number(piece);
+}
 
 std::int64_t drop_islands(const TetrahedralMesh& mesh, const SiteGeometry& geometry,
                           std::vector<char>& inside) {

@@ -25,7 +25,8 @@ struct LabelCounts {
   std::int64_t repairs = 0;   ///< moves that lowered the number of such sites
   std::int64_t erosions = 0;  ///< moves that only took from the inside, where none lowered it
   std::int64_t warped = 0;    ///< tetrahedra relabelled towards `aim`
-  std::int64_t tunnels = 0;   ///< plugs that filled a tunnel
+  std::int64_t tunnels = 0;   ///< plugs that left fewer handles
+  std::int64_t tears = 0;     ///< plugs that left fewer pieces
   std::int64_t reached = 0;   ///< moves that brought single sites on to the surface
 };
 
@@ -59,11 +60,12 @@ class ManifoldLabels {
   /// the topology and costs less than the site is worth (sculpting by Boissonnat 1984, in both directions).
   void reach();
 
-  /// Fills narrow tunnels where that costs less than a tunnel is worth: where samples are random, both sides
-  /// of a thin wall have a gap at the same place now and then, which leaves a tunnel that no samples line. The
-  /// plugs that are tried are connected parts of what is outside and as narrow as a gap; one is taken if it
-  /// raises the Euler characteristic and parts nothing, so that there is a handle less and no piece more.
-  void close_tunnels();
+  /// Fills narrow gaps where that costs less than it is worth: where samples are random, both sides of a thin
+  /// wall have a gap at the same place now and then, which leaves a tunnel that no samples line, and a wall
+  /// thinner than the spacing may be torn all along a valley. The plugs that are tried are connected parts of
+  /// what is outside and as narrow as a gap; one is taken if it leaves fewer handles or fewer pieces, and not
+  /// more of either.
+  void fill_gaps();
 
   const LabelCounts& counts() const { return counts_; }
 
@@ -110,7 +112,10 @@ class ManifoldLabels {
   void lower(std::vector<Index> singular, bool erode);
   std::vector<Move> plugs(double radius) const;
   bool parted(const Move& part, char label);
-  bool fill(const Move& plug);
+  Index piece(Index t);
+  int pieces_around(const Move& part);
+  void unite_around(const Move& part);
+  void fill(const Move& plug);
 
   const TetrahedralMesh& mesh_;
   const SiteGeometry& geometry_;
@@ -129,6 +134,8 @@ class ManifoldLabels {
   std::vector<std::uint32_t> seen_;
   std::uint32_t stamp_ = 0;
   std::vector<Index> waiting_, touched_, stuck_, source_;
+  // While gaps are filled, [tetrahedron]: a name of its piece; and [name]: another of the same piece, or itself.
+  std::vector<Index> piece_, alias_;
 };
 
 /// Sorts, and leaves one of each.

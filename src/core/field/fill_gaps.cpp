@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ManifoldLabels: tunnels through walls that no samples line.
+// ManifoldLabels: tunnels through walls that no samples line, and walls that are torn.
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 
+#include "label_islands.h"
 #include "manifold_labels.h"
 
 namespace filmsticking {
@@ -16,6 +18,9 @@ constexpr std::size_t kLargestPlug = 3000;
 // What filling a tunnel is worth, in sites off the surface. A plug has two caps, which the votes are against
 // where the tunnel is real, and takes a wall away, which they are for then: that costs more.
 constexpr double kTunnelWorth = 3;
+// What a piece less is worth. Two parts may lie close to each other, so this is little: in a tear the votes
+// are for a plug, or hardly against it.
+constexpr double kTearWorth = 0.5;
 
 }  // namespace
 
@@ -92,11 +97,52 @@ bool ManifoldLabels::parted(const Move& part, char label) {
   return pieces > 1;
 }
 
-// Fills a plug and repairs what that makes singular, if a tunnel less is worth it all; else changes nothing.
-bool ManifoldLabels::fill(const Move& plug) {
-  const double worth = kTunnelWorth * site_cost_;
+Index ManifoldLabels::piece(Index t) {
+  Index name = piece_[t];
+  while (alias_[name] != name) name = alias_[name] = alias_[alias_[name]];
+  return name;
+}
+
+// How many pieces there are among the tetrahedra of a part and beside it.
+int ManifoldLabels::pieces_around(const Move& part) {
+  std::vector<Index> names;
+  for (Index t : part) {
+    names.push_back(piece(t));
+    for (Index u : mesh_.tets.neighbours[t]) names.push_back(piece(u));
+  }
+  unique_sorted(names);
+  return static_cast<int>(names.size());
+}
+
+// After a part was relabelled, around which each label is one piece now.
+void ManifoldLabels::unite_around(const Move& part) {
+  ++stamp_;
+  for (Index t : part) seen_[t] = stamp_;
+  Index name[2] = {kNone, kNone};
+  for (Index t : part)
+    for (Index u : mesh_.tets.neighbours[t]) {
+      if (seen_[u] == stamp_) continue;
+      Index& own = name[static_cast<int>(inside_[u])];
+      const Index other = piece(u);
+      if (own == kNone) own = other;
+      alias_[other] = own;
+    }
+  for (Index t : part) {
+    Index& own = name[static_cast<int>(inside_[t])];
+    if (own == kNone) own = static_cast<Index>(alias_.size()), alias_.push_back(own);
+    piece_[t] = own;
+  }
+}
+
+// Fills a plug and repairs what that makes singular, if what it mends is worth it all; else changes nothing.
+void ManifoldLabels::fill(const Move& plug) {
+  const auto worth = [&](int handles, int pieces) {
+    return handles < 0 || pieces < 0 ? 0 : (kTunnelWorth * handles + kTearWorth * pieces) * site_cost_;
+  };
   const Effect alone = effect(plug);
-  if (alone.surplus == 0 && (alone.euler <= 0 || alone.cost >= worth * alone.euler / 2)) return false;
+  if (alone.surplus == 0 && pieces_around(plug) <= 2 &&
+      (alone.euler <= 0 || alone.cost >= worth(alone.euler / 2, 0)))
+    return;
   double cost = 0;
   int euler = 0;
   std::vector<Index> singular, next, changed;
@@ -122,24 +168,39 @@ bool ManifoldLabels::fill(const Move& plug) {
     }
     singular.swap(next);
   }
-  if (manifold && euler > 0 && cost < worth * euler / 2 && !parted(changed, 0) && !parted(changed, 1))
-    return true;
+  if (manifold && !parted(changed, 0) && !parted(changed, 1)) {
+    bool present[2] = {false, false};
+    for (Index t : changed) {
+      present[static_cast<int>(inside_[t])] = true;
+      for (Index u : mesh_.tets.neighbours[t]) present[static_cast<int>(inside_[u])] = true;
+    }
+    // Components of the surface are pieces of both labels less one; handles, components less half of the
+    // Euler characteristic.
+    const int pieces = pieces_around(changed) - present[0] - present[1], handles = euler / 2 + pieces;
+    if (cost < worth(handles, pieces) && handles + pieces > 0) {
+      unite_around(changed);
+      counts_.tunnels += handles > 0;
+      counts_.tears += pieces > 0;
+      return;
+    }
+  }
   for (Index t : changed) inside_[t] = !inside_[t];
   unique_sorted(changed);
   for (Index v : sites_of(changed)) census_[v] = census(v);
-  return false;
 }
 
-void ManifoldLabels::close_tunnels() {
+void ManifoldLabels::fill_gaps() {
   // Where it is a manifold now it stays one.
   for (std::size_t v = 0; v < exempt_.size(); ++v)
     if (census_[v].surplus() == 0) exempt_[v] = 0;
+  alias_.resize(static_cast<std::size_t>(label_pieces(mesh_, inside_, piece_)));
+  std::iota(alias_.begin(), alias_.end(), 0);
   for (const double radius : kPlugRadii)
     for (const Move& plug : plugs(radius)) {
       cancel_();
       // Another plug's repair may have been here.
       const bool whole = std::none_of(plug.begin(), plug.end(), [&](Index t) { return inside_[t]; });
-      if (whole && grows(plug) && fill(plug)) ++counts_.tunnels;
+      if (whole && grows(plug)) fill(plug);
     }
 }
 
