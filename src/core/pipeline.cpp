@@ -375,7 +375,9 @@ GuidingSurface Pipeline::film_from_outside() {
   // A way out, not what the caller chose: the virtual sites would take the square of the tetrahedra.
   if (options_.initial_surface == InitialSurface::Carve && report_.tetrahedra > kMostForVirtual * report_.sites)
     return film;
-  film = evolve(std::move(film), with_virtual_sites(film), options_.max_steps, options_.weights);
+  // Before the film moves: the order in which a call's arguments are evaluated is the compiler's.
+  const std::vector<Vec3> sites = with_virtual_sites(film);
+  film = evolve(std::move(film), sites, options_.max_steps, options_.weights);
   // A film that was stopped may still hold the places of virtual sites; a step without them drops these.
   return of_sites(film) ? std::move(film) : evolve(std::move(film), sites_.perturbed, 1, false);
 }
