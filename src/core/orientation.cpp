@@ -21,6 +21,30 @@ double solid_angle_winding(const GuidingSurface& surface, const std::vector<Inde
   return sum / (2 * M_PI);
 }
 
+namespace {
+
+// A power of two that takes coordinates to about 1, from a quarter of them, which has no overflow.
+double unit_of(const std::vector<Point>& places) {
+  double longest = 0;
+  for (const Point& p : places)
+    for (int k = 0; k < 3; ++k) longest = std::max(longest, std::abs(p[k] / 4 - places[0][k] / 4));
+  return longest > 0 ? std::exp2(std::clamp(-std::ilogb(longest), -1000, 1000)) : 1;
+}
+
+// Six times what a surface encloses, without its sign.
+double rounded_volume(const std::vector<Corners>& triangles, const std::vector<Point>& places, double unit) {
+  const Point& o = places[triangles[0][0]];
+  const auto relative = [&](Index v) {
+    const Point& p = places[v];
+    return Vec3((p[0] / 4 - o[0] / 4) * unit, (p[1] / 4 - o[1] / 4) * unit, (p[2] / 4 - o[2] / 4) * unit);
+  };
+  double sum = 0;
+  for (const Corners& t : triangles) sum += relative(t[0]).dot(relative(t[1]).cross(relative(t[2])));
+  return std::abs(sum);
+}
+
+}  // namespace
+
 bool orient_components(GuidingSurface& surface, const std::vector<Point>& places,
                        const SurfaceTopology& topology) {
   const std::vector<Index>&component = topology.component, &twin = topology.twin;
@@ -31,6 +55,8 @@ bool orient_components(GuidingSurface& surface, const std::vector<Point>& places
   for (std::size_t h = 0; h < twin.size(); ++h)
     if (twin[h] == kNone) closed[component[h / 3]] = 0;
   std::vector<int> volume(count, 0);  // its sign
+  std::vector<double> size(count, 0);
+  const double unit = unit_of(places);
   std::vector<Vec3> lo(count, Vec3::Constant(1e300)), hi(count, Vec3::Constant(-1e300));
   for (Index c = 0; c < count; ++c) {
     if (!closed[c]) continue;
@@ -43,26 +69,29 @@ bool orient_components(GuidingSurface& surface, const std::vector<Point>& places
       }
     }
     volume[c] = enclosed_volume_sign(triangles, places);
+    size[c] = rounded_volume(triangles, places, unit);
   }
-  // Largest boxes first: a component lies only inside larger ones, which are turned by then.
+  // The largest first: a component lies only inside those that enclose more, which are turned by then. A flat
+  // one, however wide, holds nothing, whatever it is turned to by a point on its plane.
   std::vector<Index> order;
   for (Index c = 0; c < count; ++c)
     if (closed[c]) order.push_back(c);
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-    const double da = (hi[a] - lo[a]).norm(), db = (hi[b] - lo[b]).norm();
-    return da != db ? da > db : a < b;
-  });
+  std::sort(order.begin(), order.end(),
+            [&](Index a, Index b) { return size[a] != size[b] ? size[a] > size[b] : a < b; });
+  std::vector<double> room = size;  // that others inside it leave
+  std::vector<char> cavity(count, 0);
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Index c = order[i];
     const Vec3 x = surface.corner(members[c][0], 0);
-    double depth = 0;
+    Index around = kNone;  // the smallest, which comes last
     for (std::size_t j = 0; j < i; ++j) {
       const Index other = order[j];
       if ((x.array() < lo[other].array()).any() || (x.array() > hi[other].array()).any()) continue;
-      depth += solid_angle_winding(surface, members[other], x);
+      if (std::abs(solid_angle_winding(surface, members[other], x)) > 0.5) around = other;
     }
-    const bool cavity = depth > 0.5;
-    if ((volume[c] < 0) == cavity) continue;
+    // What does not fit in is no part of it: components of a film that cuts itself.
+    if (around != kNone && room[around] > size[c]) room[around] -= size[c], cavity[c] = !cavity[around];
+    if ((volume[c] < 0) == (cavity[c] != 0)) continue;
     for (Index t : members[c]) std::swap(surface.triangles[t][1], surface.triangles[t][2]);
   }
   return std::any_of(volume.begin(), volume.end(), [](int sign) { return sign != 0; }) ||

@@ -81,6 +81,21 @@ TEST(Orientation, TheTruePlacesSayWhatIsOutward) {
   EXPECT_FALSE(orient_components(surface, flat, SurfaceTopology(surface.triangles, 4)));
 }
 
+// A solid with a corner between the sides of one that is flat but for the perturbation was turned as its cavity.
+TEST(Orientation, Regression_AFlatComponentHoldsNothing) {
+  GuidingSurface surface;
+  surface.positions = {{-4, -4, 0},  {4, -4, 0},     {0, 4, 0},      {0, 0, 1e-8},
+                       {0, 0, 1e-9}, {0.5, 0, 0.5}, {0, 0.5, 0.5}, {0, 0, 0.7}};
+  surface.site.assign(8, kNone);
+  for (const Index first : {0, 4})
+    for (const Corners& t : kTetrahedron)
+      surface.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  std::vector<Point> places = places_of(surface);
+  places[3] = {0, 0, 0};
+  EXPECT_TRUE(orient_components(surface, places, SurfaceTopology(surface.triangles, 8)));
+  EXPECT_EQ(enclosed_volume_sign({surface.triangles.begin() + 4, surface.triangles.end()}, places), 1);
+}
+
 TEST(EnclosedVolume, IsExactAtEveryScale) {
   const std::vector<Corners> triangles(std::begin(kTetrahedron), std::end(kTetrahedron));
   const auto sign = [&](double x, double y, double z, const Point& o) {
