@@ -66,6 +66,15 @@ std::vector<char> random_labels(const TetrahedralMesh& mesh, std::uint64_t seed)
   return inside;
 }
 
+// Inside are tetrahedra whose centres are `in` a shape.
+template <class In>
+std::vector<char> labels_where(const Setting& s, const In& in) {
+  std::vector<char> inside(s.mesh.size(), 0);
+  for (std::size_t t = 0; t < inside.size(); ++t)
+    if (!s.mesh.tets.infinite(static_cast<Index>(t))) inside[t] = in(s.set.to_input(s.centre(t)));
+  return inside;
+}
+
 LabelCosts costs_of(const Setting& s) {
   LabelCosts costs{s.evidence.cost, std::vector<double>(s.mesh.size(), 0), {}};
   for (const double spacing : s.geometry.spacing) costs.off.push_back(5 * spacing * spacing);
@@ -92,8 +101,7 @@ Topology topology(const Setting& s, const std::vector<char>& inside) {
   Topology result;
   if (film.triangles.empty() || !check_manifold(film.triangles, vertices, &twin).ok()) return result;
   result.components = connected_components(twin, component);
-  result.handles =
-      result.components - (vertices - static_cast<std::int64_t>(film.triangles.size()) / 2) / 2;
+  result.handles = result.components - (vertices - static_cast<std::int64_t>(film.triangles.size()) / 2) / 2;
   return result;
 }
 
@@ -116,8 +124,8 @@ TEST(ManifoldLabels, AreAManifoldInEveryRoomForAnyLabels) {
     const Topology after = topology(s, inside);
     EXPECT_LE(after.handles, before.handles) << seed;
     EXPECT_LE(after.components, before.components) << seed;
-    EXPECT_EQ(after.handles < before.handles, manifold.counts().tunnels > 0) << seed;
-    EXPECT_EQ(after.components < before.components, manifold.counts().tears > 0) << seed;
+    EXPECT_EQ(after.handles<before.handles, manifold.counts().tunnels> 0) << seed;
+    EXPECT_EQ(after.components<before.components, manifold.counts().tears> 0) << seed;
     tunnels += manifold.counts().tunnels, tears += manifold.counts().tears;
     singular += manifold.counts().singular, reached += manifold.counts().reached;
     for (std::size_t t = 0; t < inside.size(); ++t)
@@ -129,10 +137,12 @@ TEST(ManifoldLabels, AreAManifoldInEveryRoomForAnyLabels) {
   EXPECT_GT(tears, 0);
 }
 
+// Of a wall, as flat ones have flat tetrahedra beside them.
+double bend(double x, double y) { return 0.2 * (x * x + 1.3 * y * y); }
+
 TEST(ManifoldLabels, ATunnelThatNoSamplesLineIsFilled) {
-  // A bent wall, as flat ones have flat tetrahedra beside them, and a gap in both of its sides.
+  // A bent wall, and a gap in both of its sides.
   const double thickness = 0.06;
-  const auto bend = [](double x, double y) { return 0.2 * (x * x + 1.3 * y * y); };
   int tunnels = 0, filled = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     std::vector<Point> points;
@@ -142,13 +152,10 @@ TEST(ManifoldLabels, ATunnelThatNoSamplesLineIsFilled) {
       points.push_back(p);
     }
     const Setting s(points);
-    std::vector<char> inside(s.mesh.size(), 0);
-    for (std::size_t t = 0; t < inside.size(); ++t) {
-      if (s.mesh.tets.infinite(static_cast<Index>(t))) continue;
-      const Point p = s.set.to_input(s.centre(t));
+    std::vector<char> inside = labels_where(s, [&](const Point& p) {
       const double z = p[2] - bend(p[0], p[1]);
-      inside[t] = z > 0 && z < thickness && std::hypot(p[0] - 0.5, p[1] - 0.5) > 0.025;
-    }
+      return z > 0 && z < thickness && std::hypot(p[0] - 0.5, p[1] - 0.5) > 0.025;
+    });
     const LabelCosts costs = costs_of(s);
     ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
     manifold.repair();
@@ -165,12 +172,8 @@ TEST(ManifoldLabels, ATunnelThatNoSamplesLineIsFilled) {
 TEST(ManifoldLabels, ATunnelThatSamplesLineIsKept) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     const Setting s(test::torus(1500, seed, 1, 0.8));  // its hole is some six spacings wide
-    std::vector<char> inside(s.mesh.size(), 0);
-    for (std::size_t t = 0; t < inside.size(); ++t) {
-      if (s.mesh.tets.infinite(static_cast<Index>(t))) continue;
-      const Point p = s.set.to_input(s.centre(t));
-      inside[t] = std::hypot(std::hypot(p[0], p[1]) - 1, p[2]) < 0.8;
-    }
+    std::vector<char> inside =
+        labels_where(s, [&](const Point& p) { return std::hypot(std::hypot(p[0], p[1]) - 1, p[2]) < 0.8; });
     const LabelCosts costs = costs_of(s);
     ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
     manifold.repair();
@@ -190,19 +193,15 @@ std::vector<Point> ellipsoid(int n, std::uint64_t seed, double x0) {
 
 TEST(ManifoldLabels, ATornWallIsJoined) {
   const double thickness = 0.02;  // a spacing
-  const auto bend = [](double x, double y) { return 0.2 * (x * x + 1.3 * y * y); };
   int torn = 0, joined = 0;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     std::vector<Point> points = test::box(5000, seed, {1, 1, thickness});
     for (Point& p : points) p[2] += bend(p[0], p[1]);
     const Setting s(points);
-    std::vector<char> inside(s.mesh.size(), 0);
-    for (std::size_t t = 0; t < inside.size(); ++t) {
-      if (s.mesh.tets.infinite(static_cast<Index>(t))) continue;
-      const Point p = s.set.to_input(s.centre(t));
+    std::vector<char> inside = labels_where(s, [&](const Point& p) {
       const double z = p[2] - bend(p[0], p[1]);
-      inside[t] = z > 0 && z < thickness && std::abs(p[0] - 0.5) > 0.03;
-    }
+      return z > 0 && z < thickness && std::abs(p[0] - 0.5) > 0.03;
+    });
     const LabelCosts costs = costs_of(s);
     ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
     manifold.repair();
@@ -223,12 +222,7 @@ TEST(ManifoldLabels, PartsCloseToEachOtherStayApart) {
     const auto in = [](const Point& p, double x0) {
       return std::pow(p[0] - x0, 2) + std::pow(p[1] / 0.8, 2) + std::pow(p[2] / 0.6, 2) < 1;
     };
-    std::vector<char> inside(s.mesh.size(), 0);
-    for (std::size_t t = 0; t < inside.size(); ++t) {
-      if (s.mesh.tets.infinite(static_cast<Index>(t))) continue;
-      const Point p = s.set.to_input(s.centre(t));
-      inside[t] = in(p, 0) || in(p, 2.11);
-    }
+    std::vector<char> inside = labels_where(s, [&](const Point& p) { return in(p, 0) || in(p, 2.11); });
     const LabelCosts costs = costs_of(s);
     ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
     manifold.repair();
