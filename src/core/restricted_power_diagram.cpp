@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "restricted_power_diagram.h"
 
+#include <numeric>
 #include <utility>
 
 #include "parallel.h"
@@ -8,8 +9,9 @@
 namespace filmsticking {
 namespace {
 
-// Appends the cells from `a` (the owner of `from`) to `b` (the owner of `to`) along a segment.
-void walk(const PowerDiagram& diagram, const Vec3& from, const Vec3& to, Index a, Index b,
+// Appends the cells from `a` (the owner of `from`) to `b` (the owner of `to`) along a segment. Returns whether it
+// had to jump.
+bool walk(const PowerDiagram& diagram, const Vec3& from, const Vec3& to, Index a, Index b,
           std::vector<Index>& cells) {
   const Vec3 direction = to - from;
   cells.push_back(a);
@@ -33,6 +35,7 @@ void walk(const PowerDiagram& diagram, const Vec3& from, const Vec3& to, Index a
   }
   // Rounding may have the walk stop one cell short of the owner that was found for the vertex.
   if (at != b) cells.push_back(b);
+  return at != b;
 }
 
 }  // namespace
@@ -67,17 +70,20 @@ RestrictedPowerDiagram restrict_power_diagram(const GuidingSurface& surface, std
 
   constexpr std::size_t kChunk = 2048;
   std::vector<std::vector<Index>> cells((leader.size() + kChunk - 1) / kChunk);
+  std::vector<std::int64_t> jumps(cells.size(), 0);
   restricted.offset.assign(leader.size() + 1, 0);
   parallel_chunks(leader.size(), kChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
       const Corners& t = surface.triangles[leader[e] / 3];
       const Index u = t[leader[e] % 3], v = t[(leader[e] + 1) % 3 == 0 ? 0 : leader[e] % 3 + 1];
       const std::size_t before = cells[chunk].size();
-      walk(diagram, surface.positions[u], surface.positions[v], owner[u], owner[v], cells[chunk]);
+      jumps[chunk] +=
+          walk(diagram, surface.positions[u], surface.positions[v], owner[u], owner[v], cells[chunk]);
       restricted.offset[e + 1] = static_cast<Index>(cells[chunk].size() - before);
     }
   });
   for (std::size_t e = 1; e < restricted.offset.size(); ++e) restricted.offset[e] += restricted.offset[e - 1];
+  restricted.jumps = std::accumulate(jumps.begin(), jumps.end(), std::int64_t{0});
   restricted.cell.reserve(restricted.offset.back());
   for (const auto& part : cells) restricted.cell.insert(restricted.cell.end(), part.begin(), part.end());
   return restricted;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "guiding_surface.h"
@@ -17,6 +18,12 @@ struct RestrictedPowerDiagram {
   std::vector<char> forward;  ///< per half-edge: does it run along the edge's direction?
   std::vector<Index> offset;  ///< the cells along edge e: cell[offset[e] .. offset[e+1]), at least one,
   std::vector<Index> cell;    ///< neighbouring ones distinct
+
+  /// Edges along which the walk ended in a cell beside the end's owner, which then follows without being a
+  /// neighbour, perhaps: where rounding tells the walk and the search for the owner different sides of a cell's
+  /// face. So an edge's end must be within rounding of one, which in clouds that are perturbed is a chance of
+  /// 1e-8 or so. The dual is closed all the same.
+  std::int64_t jumps = 0;
 
   /// Crossing i of edge e, between its cells i and i+1, has this number.
   Index crossing(Index e, Index i) const { return offset[e] + i; }

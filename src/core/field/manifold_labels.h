@@ -18,16 +18,28 @@ struct LabelCosts {
   std::vector<double> off;                         ///< [site]: to leave it off the surface
 };
 
-/// What was done to a labelling.
+/// What was done to a labelling. On points that are dense beside the features of a closed surface it is next to
+/// nothing; thin walls, noise and gaps are what it is for.
 struct LabelCounts {
-  std::int64_t islands = 0;   ///< torn-off pieces of either label that were given up
-  std::int64_t singular = 0;  ///< sites where the surface was not a disc at first
-  std::int64_t repairs = 0;   ///< moves that lowered the number of such sites
-  std::int64_t erosions = 0;  ///< moves that only took from the inside, where none lowered it
-  std::int64_t warped = 0;    ///< tetrahedra relabelled towards `aim`
-  std::int64_t tunnels = 0;   ///< plugs that left fewer handles
-  std::int64_t tears = 0;     ///< plugs that left fewer pieces
-  std::int64_t reached = 0;   ///< moves that brought single sites on to the surface
+  /// Torn-off pieces of either label that were given up: chance clusters of tetrahedra. Fewer than pieces.
+  std::int64_t islands = 0;
+  /// Sites where the surface was not a disc at first: the cut weighs facets, not sites. At most all.
+  std::int64_t singular = 0;
+  /// Moves that lowered the number of surplus pieces around sites, and so no more than there were of these.
+  std::int64_t repairs = 0;
+  /// Moves that only took from the inside, where none lowered it: the last resort, which opens a part of a thin
+  /// wall. Each takes a tetrahedron at least.
+  std::int64_t erosions = 0;
+  /// Tetrahedra relabelled towards `aim`: each leaves one difference from it less.
+  std::int64_t warped = 0;
+  /// Plugs that left fewer handles. With the tears they are no more than the handles and the pieces that went, as
+  /// none is taken that adds as many of one as it takes of the other.
+  std::int64_t tunnels = 0;
+  /// Plugs that left fewer pieces: no more than pieces went, as none adds any.
+  std::int64_t tears = 0;
+  /// Moves that brought single sites on to the surface, which the cut left off as cheaper: a site that sticks out
+  /// or lies in a dent of chance. No site more than eight times.
+  std::int64_t reached = 0;
 };
 
 /// Relabels tetrahedra so that the surface between inside and outside is a 2-manifold, in four rooms.
