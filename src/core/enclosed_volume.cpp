@@ -12,14 +12,15 @@ namespace filmsticking {
 namespace {
 
 /// Six times the volume is a sum of products, handed to term(product, sign). The coordinates are relative to
-/// a corner of the surface, which keeps their digits, and multiplied by `unit`.
+/// a corner of the surface, which keeps their digits, and multiplied by `unit`; before they are subtracted
+/// they are divided by `part`, a power of two.
 template <class Number, class Term>
-void each_product(const std::vector<Corners>& triangles, const std::vector<Point>& places, double unit,
-                  const Term& term) {
+void each_product(const std::vector<Corners>& triangles, const std::vector<Point>& places, int part,
+                  double unit, const Term& term) {
   const Point& o = places[triangles[0][0]];
   const auto relative = [&](Index v) {
     std::array<Number, 3> p;
-    for (int k = 0; k < 3; ++k) p[k] = (Number(places[v][k]) - Number(o[k])) * Number(unit);
+    for (int k = 0; k < 3; ++k) p[k] = (Number(places[v][k] / part) - Number(o[k] / part)) * Number(unit);
     return p;
   };
   for (const Corners& t : triangles) {
@@ -46,7 +47,7 @@ int rounded_sign(const std::vector<Corners>& triangles, const std::vector<Point>
   const double unit = std::exp2(-std::ilogb(longest));
   constexpr double kTiny = 1e-290;
   double sum = 0, size = 0;
-  each_product<double>(triangles, places, unit, [&](double product, int sign) {
+  each_product<double>(triangles, places, 1, unit, [&](double product, int sign) {
     sum += sign * product;
     size += std::abs(product);
   });
@@ -56,6 +57,9 @@ int rounded_sign(const std::vector<Corners>& triangles, const std::vector<Point>
   return sum > error ? 1 : sum < -error ? -1 : 0;
 }
 
+/// Of such parts of coordinates, differences do not overflow.
+constexpr int kPart = 4;
+
 }  // namespace
 
 int enclosed_volume_sign(const std::vector<Corners>& triangles, const std::vector<Point>& places) {
@@ -63,8 +67,22 @@ int enclosed_volume_sign(const std::vector<Corners>& triangles, const std::vecto
   if (const int sign = rounded_sign(triangles, places); sign != 0) return sign;
   CGAL::Exact_rational sum = 0;
   each_product<CGAL::Exact_rational>(
-      triangles, places, 1, [&](const CGAL::Exact_rational& product, int sign) { sum += sign * product; });
+      triangles, places, 1, 1, [&](const CGAL::Exact_rational& product, int sign) { sum += sign * product; });
   return CGAL::sign(sum);
+}
+
+double enclosing_unit(const std::vector<Point>& places) {
+  double longest = 0;
+  for (const Point& p : places)
+    for (int k = 0; k < 3; ++k) longest = std::max(longest, std::abs(p[k] / kPart - places[0][k] / kPart));
+  return longest > 0 ? std::exp2(std::clamp(-std::ilogb(longest), -1000, 1000)) : 1;
+}
+
+double rounded_volume(const std::vector<Corners>& triangles, const std::vector<Point>& places, double unit) {
+  double sum = 0;
+  each_product<double>(triangles, places, kPart, unit,
+                       [&](double product, int sign) { sum += sign * product; });
+  return std::abs(sum);
 }
 
 }  // namespace filmsticking

@@ -21,30 +21,6 @@ double solid_angle_winding(const GuidingSurface& surface, const std::vector<Inde
   return sum / (2 * M_PI);
 }
 
-namespace {
-
-// A power of two that takes coordinates to about 1, from a quarter of them, which has no overflow.
-double unit_of(const std::vector<Point>& places) {
-  double longest = 0;
-  for (const Point& p : places)
-    for (int k = 0; k < 3; ++k) longest = std::max(longest, std::abs(p[k] / 4 - places[0][k] / 4));
-  return longest > 0 ? std::exp2(std::clamp(-std::ilogb(longest), -1000, 1000)) : 1;
-}
-
-// Six times what a surface encloses, without its sign.
-double rounded_volume(const std::vector<Corners>& triangles, const std::vector<Point>& places, double unit) {
-  const Point& o = places[triangles[0][0]];
-  const auto relative = [&](Index v) {
-    const Point& p = places[v];
-    return Vec3((p[0] / 4 - o[0] / 4) * unit, (p[1] / 4 - o[1] / 4) * unit, (p[2] / 4 - o[2] / 4) * unit);
-  };
-  double sum = 0;
-  for (const Corners& t : triangles) sum += relative(t[0]).dot(relative(t[1]).cross(relative(t[2])));
-  return std::abs(sum);
-}
-
-}  // namespace
-
 bool orient_components(GuidingSurface& surface, const std::vector<Point>& places,
                        const SurfaceTopology& topology) {
   const std::vector<Index>&component = topology.component, &twin = topology.twin;
@@ -56,7 +32,7 @@ bool orient_components(GuidingSurface& surface, const std::vector<Point>& places
     if (twin[h] == kNone) closed[component[h / 3]] = 0;
   std::vector<int> volume(count, 0);  // its sign
   std::vector<double> size(count, 0);
-  const double unit = unit_of(places);
+  const double unit = enclosing_unit(places);
   std::vector<Vec3> lo(count, Vec3::Constant(1e300)), hi(count, Vec3::Constant(-1e300));
   for (Index c = 0; c < count; ++c) {
     if (!closed[c]) continue;

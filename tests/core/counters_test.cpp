@@ -17,6 +17,7 @@
 #include "filmsticking/reconstruct.h"
 #include "site_set.h"
 #include "support/clouds.h"
+#include "support/field_setting.h"
 #include "triangle_adjacency.h"
 
 namespace filmsticking {
@@ -53,38 +54,25 @@ std::map<std::string, std::vector<Point>> clean_clouds() {
   return clouds;
 }
 
-struct Setting {
-  SiteSet set;
-  TetrahedralMesh mesh;
-  SiteGeometry geometry;
-  FacetEvidence evidence;
-  std::vector<char> cut;  // by the evidence alone
+struct Setting : test::FieldSetting {
   LabelCosts costs;
+  std::vector<char> cut;  // by the evidence alone
 
-  explicit Setting(const std::vector<Point>& points)
-      : set(make_site_set(points)),
-        mesh(make_tetrahedral_mesh(DelaunayTriangulation(set.perturbed).tetrahedra(), set.perturbed)),
-        geometry(site_geometry(set.perturbed)),
-        evidence(facet_evidence(mesh, set.perturbed, geometry)),
-        costs{evidence.cost, std::vector<double>(mesh.size()), {}} {
+  explicit Setting(const std::vector<Point>& points) : FieldSetting(points), costs(costs_of(*this)) {
     const auto belief = signed_field(mesh, evidence, std::vector<double>(mesh.size(), 0));
     for (std::size_t t = 0; t < mesh.size(); ++t)
       for (const double area : evidence.area[t]) costs.hold[t] += 0.1 * area * belief[t];
-    for (const double spacing : geometry.spacing) costs.off.push_back(5 * spacing * spacing);
     cut = Sculptor(mesh, evidence, costs.hold).cut();
   }
 
   std::int64_t euler(const std::vector<char>& inside) const {
-    const GuidingSurface film = film_of_sites(tetrahedral_boundary(mesh, inside), set.perturbed);
-    return static_cast<std::int64_t>(film.site.size()) - static_cast<std::int64_t>(film.triangles.size()) / 2;
+    return euler_if_manifold(*this, inside).value();
   }
   std::int64_t pieces(const std::vector<char>& inside) const {
     std::vector<Index> piece;
     return label_pieces(mesh, inside, piece);
   }
-  std::size_t on(const std::vector<char>& inside) const {
-    return film_of_sites(tetrahedral_boundary(mesh, inside), set.perturbed).site.size();
-  }
+  std::size_t on(const std::vector<char>& inside) const { return film_of(*this, inside).site.size(); }
 };
 
 std::int64_t differences(const std::vector<char>& a, const std::vector<char>& b) {
@@ -116,8 +104,9 @@ void expect_bounds(const Setting& s, std::vector<char> inside, const std::vector
 
   const std::int64_t euler = s.euler(inside), pieces = s.pieces(inside);
   labels.fill_gaps();
-  // Of a surface, pieces of both labels are components and one more; Euler's characteristic is twice what there
-  // are more components than handles. A plug that is taken leaves neither more pieces nor, in sum, as many.
+  // Of a surface, pieces of both labels are components and one more; Euler's characteristic is twice what
+  // there are more components than handles. A plug that is taken leaves neither more pieces nor, in sum, as
+  // many.
   const std::int64_t fewer_pieces = pieces - s.pieces(inside),
                      fewer_handles = (s.euler(inside) - euler) / 2 + fewer_pieces;
   EXPECT_GE(fewer_pieces, counts.tears);

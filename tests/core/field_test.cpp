@@ -20,27 +20,13 @@
 #include "film_quality.h"
 #include "site_set.h"
 #include "support/clouds.h"
+#include "support/field_setting.h"
 #include "triangle_adjacency.h"
 
 namespace filmsticking {
 namespace {
 
-struct Setting {
-  SiteSet set;
-  TetrahedralMesh mesh;
-  SiteGeometry geometry;
-  FacetEvidence evidence;
-  explicit Setting(const std::vector<Point>& points)
-      : set(make_site_set(points)),
-        mesh(make_tetrahedral_mesh(delaunay_tetrahedra(set.perturbed), set.perturbed)),
-        geometry(site_geometry(set.perturbed)),
-        evidence(facet_evidence(mesh, set.perturbed, geometry)) {}
-  Vec3 centre(std::size_t t) const {
-    Vec3 c = Vec3::Zero();
-    for (Index i : mesh.tets.corners[t]) c += set.perturbed[i] / 4;
-    return c;
-  }
-};
+using Setting = test::FieldSetting;
 
 TEST(TetrahedralMesh, FacetsFaceOutAndMirrorsMatch) {
   const Setting s(test::sphere(300, 1));
@@ -75,27 +61,13 @@ std::vector<char> labels_where(const Setting& s, const In& in) {
   return inside;
 }
 
-LabelCosts costs_of(const Setting& s) {
-  LabelCosts costs{s.evidence.cost, std::vector<double>(s.mesh.size(), 0), {}};
-  for (const double spacing : s.geometry.spacing) costs.off.push_back(5 * spacing * spacing);
-  return costs;
-}
-
-// V - E + F, or nothing where the surface is no closed manifold.
-std::optional<std::int64_t> euler_if_manifold(const Setting& s, const std::vector<char>& inside) {
-  const GuidingSurface film = film_of_sites(tetrahedral_boundary(s.mesh, inside), s.set.perturbed);
-  const Index vertices = static_cast<Index>(film.positions.size());
-  if (!film.triangles.empty() && !check_manifold(film.triangles, vertices).ok()) return {};
-  return vertices - static_cast<std::int64_t>(film.triangles.size()) / 2;
-}
-
 struct Topology {
   std::int64_t components = 0, handles = 0;
 };
 
 // Of a surface that is a closed manifold.
 Topology topology(const Setting& s, const std::vector<char>& inside) {
-  const GuidingSurface film = film_of_sites(tetrahedral_boundary(s.mesh, inside), s.set.perturbed);
+  const GuidingSurface film = test::film_of(s, inside);
   const Index vertices = static_cast<Index>(film.positions.size());
   std::vector<Index> twin, component;
   Topology result;
@@ -124,8 +96,8 @@ TEST(ManifoldLabels, AreAManifoldInEveryRoomForAnyLabels) {
     const Topology after = topology(s, inside);
     EXPECT_LE(after.handles, before.handles) << seed;
     EXPECT_LE(after.components, before.components) << seed;
-    EXPECT_EQ(after.handles<before.handles, manifold.counts().tunnels> 0) << seed;
-    EXPECT_EQ(after.components<before.components, manifold.counts().tears> 0) << seed;
+    EXPECT_EQ((after.handles < before.handles), (manifold.counts().tunnels > 0)) << seed;
+    EXPECT_EQ((after.components < before.components), (manifold.counts().tears > 0)) << seed;
     tunnels += manifold.counts().tunnels, tears += manifold.counts().tears;
     singular += manifold.counts().singular, reached += manifold.counts().reached;
     for (std::size_t t = 0; t < inside.size(); ++t)
@@ -468,7 +440,7 @@ TEST(Sculpt, FollowsTheEvidenceWhereTheBeliefIsVague) {
   const LabelCosts costs = costs_of(s);
   ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
   manifold.repair();
-  const GuidingSurface film = film_of_sites(tetrahedral_boundary(s.mesh, inside), s.set.perturbed);
+  const GuidingSurface film = test::film_of(s, inside);
   EXPECT_GT(film.site.size(), 2990u);
   EXPECT_LT(film_quality(film, s.geometry).disagreement, 0.02);
 }
