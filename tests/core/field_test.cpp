@@ -222,6 +222,27 @@ TEST(ManifoldLabels, Regression_AStarMayBeLongerThanTheListByAPiece) {
   }
 }
 
+// On a moment curve: the repair took the fourth power of the sites, minutes for 2,000.
+TEST(ManifoldLabels, Regression_OfSitesThatAreAllNeighboursTheWorkIsBounded) {
+  std::vector<Point> points;
+  for (int i = 0; i < 300; ++i) {
+    const double x = i / 150.0 - 1;
+    points.push_back({x, x * x, x * x * x});
+  }
+  const Setting s(points);
+  const LabelCosts costs = costs_of(s);
+  std::vector<char> inside = random_labels(s.mesh, 1);
+  ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
+  manifold.repair();
+  EXPECT_TRUE(euler_if_manifold(s, inside));
+  manifold.warp(random_labels(s.mesh, 2));
+  manifold.reach();
+  manifold.fill_gaps();
+  EXPECT_TRUE(euler_if_manifold(s, inside));
+  EXPECT_GT(manifold.counts().stripped, 0);  // the bound was met
+  EXPECT_LE(manifold.counts().visits, 11000 * static_cast<std::int64_t>(points.size()));
+}
+
 TEST(ManifoldLabels, WarpAndReachKeepTheTopology) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const Setting s(test::torus(300, seed));

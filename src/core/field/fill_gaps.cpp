@@ -92,6 +92,7 @@ bool ManifoldLabels::parted(const Move& part, char label) {
         root[other] = own, waiting[own] += waiting[other], --pieces;
       }
     }
+    ++counts_.visits;
     if (--waiting[own] == 0) return pieces > 1;
   }
   return pieces > 1;
@@ -198,6 +199,7 @@ void ManifoldLabels::fill_gaps() {
   for (const double radius : kPlugRadii)
     for (const Move& plug : plugs(radius)) {
       cancel_();
+      if (spent()) return;
       // Another plug's repair may have been here.
       const bool whole = std::none_of(plug.begin(), plug.end(), [&](Index t) { return inside_[t]; });
       if (whole && grows(plug)) fill(plug);

@@ -30,6 +30,13 @@ constexpr std::size_t kFewMoves = 16;
 // In a larger star only whole pieces are moved: to try every tetrahedron takes the square of their number.
 constexpr std::size_t kWideStar = 400;
 
+// Visits of tetrahedra that a labelling may take, for each site. Surfaces take a few hundred, two sides that
+// confuse the layers of thin walls up to 2,400.
+constexpr std::int64_t kMostVisits = 10000;
+
+// A site around which so often something was stripped off is stripped as well.
+constexpr char kMostLooks = 3;
+
 // A star of no more tetrahedra is searched as a list.
 constexpr std::size_t kQuickStar = 96;
 
@@ -51,6 +58,13 @@ ManifoldLabels::ManifoldLabels(const TetrahedralMesh& mesh, const SiteGeometry& 
     for (Index v : mesh.tets.corners[t])
       if (v != kNone) seed_[v] = static_cast<Index>(t);
   for (double c : costs.off) site_cost_ += c / static_cast<double>(costs.off.size());
+}
+
+// Where all sites are neighbours, as on a moment curve, a star has as many tetrahedra as there are sites, and
+// the moves at a site are as many and look at as many stars each: the repair would take the fourth power. The
+// visits are counted by one thread, so this comes at the same move for any number of threads.
+bool ManifoldLabels::spent() const {
+  return counts_.visits > kMostVisits * static_cast<std::int64_t>(seed_.size());
 }
 
 int ManifoldLabels::corner(Index t, Index v) const {
@@ -90,19 +104,21 @@ ManifoldLabels::Census ManifoldLabels::census(Index v) {
     }
   }
   first_.push_back(star_.size());
+  counts_.visits += static_cast<std::int64_t>(star_.size());
   return result;
 }
 
 // Calls visit(u) for the tetrahedra around the edge of t between its corners a and b, other than t, until it
 // says false. Ends: the tetrahedra around an edge form a ring.
 template <class Visit>
-void ManifoldLabels::around_edge(Index t, int a, int b, const Visit& visit) const {
+void ManifoldLabels::around_edge(Index t, int a, int b, const Visit& visit) {
   const auto& corners = mesh_.tets.corners[t];
   const Index v = corners[a], w = corners[b];
   int leave = 0;
   while (leave == a || leave == b) ++leave;
   Index last = corners[6 - a - b - leave];  // the corner that the next tetrahedron shares beside v and w
   for (Index u = mesh_.tets.neighbours[t][leave]; u != t && visit(u);) {
+    ++counts_.visits;
     const auto& c = mesh_.tets.corners[u];
     const int out = corner(u, last);
     for (const Index x : c)
@@ -112,7 +128,7 @@ void ManifoldLabels::around_edge(Index t, int a, int b, const Visit& visit) cons
 }
 
 // Are there tetrahedra of both labels around an edge, but for t?
-bool ManifoldLabels::mixed(Index t, int a, int b) const {
+bool ManifoldLabels::mixed(Index t, int a, int b) {
   int labels = 0;
   around_edge(t, a, b, [&](Index u) { return (labels |= inside_[u] ? 1 : 2) != 3; });
   return labels == 3;
@@ -121,7 +137,7 @@ bool ManifoldLabels::mixed(Index t, int a, int b) const {
 // What the census of v is now that t, a tetrahedron of its star, has changed sides, where it was plain before.
 // On a small sphere around v its two parts were discs, so that what t did to them shows where their common
 // border, a simple curve, meets t's triangle: whole stars need not be searched.
-ManifoldLabels::Census ManifoldLabels::census_of_flip(Index v, Index t, const Census& before) const {
+ManifoldLabels::Census ManifoldLabels::census_of_flip(Index v, Index t, const Census& before) {
   const bool now = inside_[t], was = !now;
   const int own = corner(t, v);
   int border = 0, apart = own;
@@ -331,6 +347,7 @@ ManifoldLabels::Move ManifoldLabels::bridge(Index v, const std::vector<Index>& s
       const Index u = mesh_.tets.neighbours[t][k];
       if (k == skip || seen_[u] == stamp_) continue;
       if (inside_[u] == label) {
+        counts_.visits += static_cast<std::int64_t>(queue.size());
         Move move;
         for (std::size_t j = i; j >= own; j = from[j]) move.push_back(queue[j]);
         return move;
@@ -341,6 +358,7 @@ ManifoldLabels::Move ManifoldLabels::bridge(Index v, const std::vector<Index>& s
       from.push_back(i);
     }
   }
+  counts_.visits += static_cast<std::int64_t>(queue.size());
   return {};
 }
 
@@ -349,11 +367,12 @@ ManifoldLabels::Move ManifoldLabels::bridge(Index v, const std::vector<Index>& s
 // the inside.
 std::vector<ManifoldLabels::Move> ManifoldLabels::moves_at(Index v, bool erode) {
   std::vector<Move> moves;
+  if (spent()) return moves;
   const Census now = census(v);
   const std::vector<Index> star = star_;
   const std::vector<std::size_t> first = first_;
   Move all_in, all_out;
-  for (std::size_t i = 0; i + 1 < first.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < first.size() && !spent(); ++i) {
     Move piece(star.begin() + static_cast<std::ptrdiff_t>(first[i]),
                star.begin() + static_cast<std::ptrdiff_t>(first[i + 1]));
     const bool in = inside_[piece[0]];
@@ -379,6 +398,7 @@ ManifoldLabels::Move ManifoldLabels::best_move(Index v, bool erode) {
   Move best;
   double best_cost = std::numeric_limits<double>::infinity();
   for (Move& move : moves_at(v, erode)) {
+    if (spent()) return {};
     if (!allowed(move) || (move.size() <= kFewMoves && least_cost(move, site_cost_) >= best_cost)) continue;
     const Effect e = effect(move);
     double cost = e.cost + e.surplus * site_cost_;
@@ -415,6 +435,29 @@ void ManifoldLabels::lower(std::vector<Index> singular, bool erode) {
   }
 }
 
+// Takes all that is inside away around singular sites, many at once; what that makes singular comes next. Such
+// a site stays off, as nothing comes inside, and one that is looked at often goes as well: so it ends, and no
+// star is looked at more than a few times.
+void ManifoldLabels::strip() {
+  std::vector<char> looks(seed_.size(), 0);
+  for (std::vector<Index> singular = take_census(), next; !singular.empty(); singular.swap(next)) {
+    cancel_();
+    Move taken;
+    for (Index v : singular) {
+      census(v);
+      for (Index t : star_)
+        if (inside_[t]) inside_[t] = 0, taken.push_back(t);
+    }
+    counts_.stripped += static_cast<std::int64_t>(singular.size());
+    next.clear();
+    const std::vector<Index> sites = sites_of(taken);
+    for (Index v : sites) {
+      census_[v] = census(v);
+      if (this->singular(v) || ++looks[v] == kMostLooks) next.push_back(v);
+    }
+  }
+}
+
 void ManifoldLabels::repair(std::vector<char> exempt) {
   if (!exempt.empty()) exempt_ = std::move(exempt);
   counts_.islands += drop_islands(mesh_, geometry_, inside_);
@@ -422,6 +465,7 @@ void ManifoldLabels::repair(std::vector<char> exempt) {
   counts_.singular = static_cast<std::int64_t>(singular.size());
   lower(std::move(singular), false);
   lower(std::move(stuck_), true);
+  if (spent()) strip();
   if (counts_.singular == 0) return;
   const std::int64_t islands = drop_islands(mesh_, geometry_, inside_);
   counts_.islands += islands;
@@ -440,6 +484,7 @@ void ManifoldLabels::warp(const std::vector<char>& aim) {
     for (Index t : front) {
       const Move move{t};
       if (inside_[t] == aim[t] || !grows(move)) continue;
+      if (spent()) return;
       const Effect e = effect(move);
       if (e.surplus != 0 || e.euler != 0) continue;
       const std::vector<Census> before = apply(move, none);
@@ -464,6 +509,7 @@ ManifoldLabels::Move ManifoldLabels::best_reach(Index v, double share) {
   census(v);
   const std::vector<Index> star = star_;
   for (Index t : star) {
+    if (spent()) return {};
     consider({t});
     const int own = corner(t, v);
     for (int k = 0; k < 4; ++k)
@@ -481,6 +527,7 @@ void ManifoldLabels::reach() {
     for (bool moved = true; moved;) {
       moved = false;
       for (std::size_t v = 0; v < seed_.size(); ++v) {
+        if (spent()) return;
         if (seed_[v] == kNone || !changed[v] || !census_[v].off() || reaches[v] == kMostReaches) continue;
         changed[v] = 0;
         const Move move = best_reach(static_cast<Index>(v), share);

@@ -40,6 +40,10 @@ struct LabelCounts {
   /// Moves that brought single sites on to the surface, which the cut left off as cheaper: a site that sticks out
   /// or lies in a dent of chance. No site more than eight times.
   std::int64_t reached = 0;
+  /// Sites around which all was taken from the inside, after too many visits: none for the labels of a surface.
+  std::int64_t stripped = 0;
+  /// Of tetrahedra, in stars and around edges.
+  std::int64_t visits = 0;
 };
 
 /// Relabels tetrahedra so that the surface between inside and outside is a 2-manifold, in four rooms.
@@ -51,7 +55,9 @@ struct LabelCounts {
 ///    of them. So all there is to keep is local;
 ///  - it does not cut itself, being part of a triangulation of space;
 ///  - it ends: the repair lowers the number of surplus pieces or else takes from the inside; the warp lowers
-///    the number of differences; the reach lowers the cost; each plug is tried once.
+///    the number of differences; the reach lowers the cost; each plug is tried once;
+///  - the work is bounded: after 10,000 visits of tetrahedra for each site, far more than a surface takes, all
+///    that is optional is left out, and what is inside is taken away around the sites that are singular still.
 class ManifoldLabels {
  public:
   /// `inside` is read and relabelled in place; infinite tetrahedra must be outside and stay there.
@@ -100,10 +106,10 @@ class ManifoldLabels {
 
   int corner(Index t, Index v) const;
   template <class Visit>
-  void around_edge(Index t, int a, int b, const Visit& visit) const;
-  bool mixed(Index t, int a, int b) const;
+  void around_edge(Index t, int a, int b, const Visit& visit);
+  bool mixed(Index t, int a, int b);
   Census census(Index v);
-  Census census_of_flip(Index v, Index t, const Census& before) const;
+  Census census_of_flip(Index v, Index t, const Census& before);
   Census census_after(Index v, const Move& move);
   bool quick_census(Index v, Census& result) const;
   std::vector<Index> take_census();
@@ -122,6 +128,8 @@ class ManifoldLabels {
   Move best_move(Index v, bool erode);
   Move best_reach(Index v, double share);
   void lower(std::vector<Index> singular, bool erode);
+  bool spent() const;
+  void strip();
   std::vector<Move> plugs(double radius) const;
   bool parted(const Move& part, char label);
   Index piece(Index t);
