@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "restricted_power_diagram.h"
 
-#include <numeric>
+#include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "parallel.h"
@@ -9,19 +10,56 @@
 namespace filmsticking {
 namespace {
 
-// Appends the cells from `a` (the owner of `from`) to `b` (the owner of `to`) along a segment. Returns whether it
-// had to jump.
-bool walk(const PowerDiagram& diagram, const Vec3& from, const Vec3& to, Index a, Index b,
-          std::vector<Index>& cells) {
+// A walk that has looked at more neighbours than this for each site sorts the sites instead.
+constexpr std::int64_t kManyLooks = 16;
+
+// The cells along a segment from that of `a`, among all sites: each site's power is linear along the segment, but
+// for a part that all have in common, so they are the lower envelope of lines. They are found in the order of
+// their slopes, those of greater height later (as a convex hull by Andrew 1979).
+void envelope(const PowerDiagram& diagram, const Vec3& from, const Vec3& direction, Index a,
+              std::vector<Index>& cells) {
+  struct Line {
+    double height, power;
+    Index site;
+    double meets(const Line& other) const { return (other.power - power) / (2 * (other.height - height)); }
+  };
+  const auto line = [&](Index i) {
+    return Line{direction.dot(diagram.position[i]), diagram.power(i, from), i};
+  };
+  std::vector<Line> higher, chain{line(a)};
+  for (Index i = 0; i < static_cast<Index>(diagram.position.size()); ++i)
+    if (const Line own = line(i); own.height > chain[0].height && diagram.has_cell(i)) higher.push_back(own);
+  std::sort(higher.begin(), higher.end(), [](const Line& l, const Line& m) {
+    return std::tie(l.height, l.power, l.site) < std::tie(m.height, m.power, m.site);
+  });
+  for (const Line& next : higher) {
+    if (next.height == chain.back().height) continue;
+    while (chain.size() > 1 && chain.back().meets(next) <= chain[chain.size() - 2].meets(chain.back()))
+      chain.pop_back();
+    if (chain.back().meets(next) < 1) chain.push_back(next);
+  }
+  for (const Line& one : chain) cells.push_back(one.site);
+}
+
+struct WalkCounts {
+  std::int64_t jumps = 0, looks = 0;
+};
+
+// Appends the cells from `a` (the owner of `from`) to `b` (the owner of `to`) along a segment.
+void walk(const PowerDiagram& diagram, const Vec3& from, const Vec3& to, Index a, Index b,
+          std::vector<Index>& cells, WalkCounts& counts) {
   const Vec3 direction = to - from;
+  const auto start = static_cast<std::ptrdiff_t>(cells.size());
+  const std::int64_t most = counts.looks + kManyLooks * static_cast<std::int64_t>(diagram.position.size());
   cells.push_back(a);
   Index at = a;
   // Along a line, the cells come in the order of direction.p: every move raises it, so the walk ends.
   double height = direction.dot(diagram.position[at]);
-  while (at != b) {
+  while (at != b && counts.looks <= most) {
     const double here = diagram.power(at, from);
     Index next = kNone;
     double first = 1, next_height = 0;
+    counts.looks += diagram.offset[at + 1] - diagram.offset[at];
     for (Index k = diagram.offset[at]; k < diagram.offset[at + 1]; ++k) {
       const Index j = diagram.neighbour[k];
       const double h = direction.dot(diagram.position[j]);
@@ -33,9 +71,15 @@ bool walk(const PowerDiagram& diagram, const Vec3& from, const Vec3& to, Index a
     at = next, height = next_height;
     cells.push_back(at);
   }
+  if (counts.looks > most && at != b) {
+    cells.resize(static_cast<std::size_t>(start));
+    envelope(diagram, from, direction, a, cells);
+    const auto end = std::find(cells.begin() + start, cells.end(), b);
+    if (end != cells.end()) cells.erase(end + 1, cells.end());
+    at = cells.back();
+  }
   // Rounding may have the walk stop one cell short of the owner that was found for the vertex.
-  if (at != b) cells.push_back(b);
-  return at != b;
+  if (at != b) cells.push_back(b), ++counts.jumps;
 }
 
 }  // namespace
@@ -70,20 +114,19 @@ RestrictedPowerDiagram restrict_power_diagram(const GuidingSurface& surface, std
 
   constexpr std::size_t kChunk = 2048;
   std::vector<std::vector<Index>> cells((leader.size() + kChunk - 1) / kChunk);
-  std::vector<std::int64_t> jumps(cells.size(), 0);
+  std::vector<WalkCounts> counts(cells.size());
   restricted.offset.assign(leader.size() + 1, 0);
   parallel_chunks(leader.size(), kChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
       const Corners& t = surface.triangles[leader[e] / 3];
       const Index u = t[leader[e] % 3], v = t[(leader[e] + 1) % 3 == 0 ? 0 : leader[e] % 3 + 1];
       const std::size_t before = cells[chunk].size();
-      jumps[chunk] +=
-          walk(diagram, surface.positions[u], surface.positions[v], owner[u], owner[v], cells[chunk]);
+      walk(diagram, surface.positions[u], surface.positions[v], owner[u], owner[v], cells[chunk], counts[chunk]);
       restricted.offset[e + 1] = static_cast<Index>(cells[chunk].size() - before);
     }
   });
   for (std::size_t e = 1; e < restricted.offset.size(); ++e) restricted.offset[e] += restricted.offset[e - 1];
-  restricted.jumps = std::accumulate(jumps.begin(), jumps.end(), std::int64_t{0});
+  for (const WalkCounts& part : counts) restricted.jumps += part.jumps, restricted.looks += part.looks;
   restricted.cell.reserve(restricted.offset.back());
   for (const auto& part : cells) restricted.cell.insert(restricted.cell.end(), part.begin(), part.end());
   return restricted;

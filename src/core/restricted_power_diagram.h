@@ -25,6 +25,10 @@ struct RestrictedPowerDiagram {
   /// 1e-8 or so. The dual is closed all the same.
   std::int64_t jumps = 0;
 
+  /// Neighbours that the walks looked at: for an edge some 20 times as many as there are sites at most, where all
+  /// are neighbours and an edge runs through the cells of all, too.
+  std::int64_t looks = 0;
+
   /// Crossing i of edge e, between its cells i and i+1, has this number.
   Index crossing(Index e, Index i) const { return offset[e] + i; }
 };
