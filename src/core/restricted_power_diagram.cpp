@@ -121,7 +121,8 @@ RestrictedPowerDiagram restrict_power_diagram(const GuidingSurface& surface, std
       const Corners& t = surface.triangles[leader[e] / 3];
       const Index u = t[leader[e] % 3], v = t[(leader[e] + 1) % 3 == 0 ? 0 : leader[e] % 3 + 1];
       const std::size_t before = cells[chunk].size();
-      walk(diagram, surface.positions[u], surface.positions[v], owner[u], owner[v], cells[chunk], counts[chunk]);
+      walk(diagram, surface.positions[u], surface.positions[v], owner[u], owner[v], cells[chunk],
+           counts[chunk]);
       restricted.offset[e + 1] = static_cast<Index>(cells[chunk].size() - before);
     }
   });

@@ -51,7 +51,7 @@ std::vector<double> signed_field(const TetrahedralMesh& mesh, const FacetEvidenc
       const Index u = mesh.tets.neighbours[t][k];
       const double c = strength(t, k);
       row += std::abs(c) * x[t] - c * x[u];
-      if (root[u] > 0) coupling[t][k] = static_cast<float>(c / (double{root[t]} * root[u]));
+      if (root[u] > 0) coupling[t][k] = static_cast<float>(c / (static_cast<double>(root[t]) * root[u]));
     }
     residual[t] = static_cast<float>(-row / root[t]);
     return double{residual[t]} * residual[t];

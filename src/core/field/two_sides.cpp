@@ -154,7 +154,8 @@ std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec
           kVoteCoupling[evidence.votes[t][k]] * std::min<double>(evidence.area[t][k], sample) * near * near;
     }
   });
-  SignedClusters clusters = Contraction(mesh, std::move(weight)).run(cancel);
+  Contraction contraction(mesh, std::move(weight));
+  SignedClusters clusters = contraction.run(cancel);
 
   std::vector<double> hull(mesh.size(), 0);  // of a root: its area with its sign less that with the other
   for (std::size_t t = 0; t < mesh.size(); ++t) {
