@@ -11,6 +11,7 @@
 #include "scalar.h"
 #include "stl.h"
 #include "text_scanner.h"
+#include "vtk.h"
 #include "vtk_polydata.h"
 #include "xyz.h"
 
@@ -70,6 +71,7 @@ Model decode_cloud(const std::string& format, std::string_view bytes) {
   if (format == "ply") return decode_ply(bytes);
   if (format == "obj") return decode_obj(bytes);
   if (format == "stl") return decode_stl(bytes);
+  if (format == "vtk") return decode_vtk(bytes);
   if (format == "xyz" || format == "txt") return decode_xyz(bytes);
   throw IoError("there is no format '" + format + "' for points");
 }

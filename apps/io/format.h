@@ -19,7 +19,7 @@ const std::vector<std::string>& mesh_formats();
 /// The format of points that the bytes begin like; empty if none. Text of numbers is xyz.
 std::string detect_format(std::string_view bytes);
 
-/// Points of a format of cloud_formats(). Throws IoError.
+/// Points, and triangles if any, of a format of cloud_formats() or vtk. Throws IoError.
 Model decode_cloud(const std::string& format, std::string_view bytes);
 
 /// The bytes of a file of a format of mesh_formats(). Every coordinate reads back as the same number, but for

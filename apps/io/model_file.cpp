@@ -7,7 +7,6 @@
 #include "files.h"
 #include "format.h"
 #include "io_error.h"
-#include "vtk_polydata.h"
 
 namespace filmsticking::io {
 namespace {
@@ -29,7 +28,7 @@ std::string format_of(const std::string& path, const std::vector<std::string>& f
 Model read(const std::string& path, const std::vector<std::string>& formats, std::int64_t most = 0) {
   check_readable(path, most);
   const std::string format = format_of(path, formats);
-  return format == "vtk" ? read_vtk(path) : decode_cloud(format, read_file(path, most));
+  return decode_cloud(format, read_file(path, most));
 }
 
 }  // namespace

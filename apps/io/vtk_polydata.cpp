@@ -2,34 +2,15 @@
 #include "vtk_polydata.h"
 
 #include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
-#include <vtkIdList.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkPolyDataReader.h>
 #include <vtkPolyDataWriter.h>
 #include <vtkUnsignedCharArray.h>
 
 #include "io_error.h"
 
 namespace filmsticking::io {
-namespace {
-
-/// VTK reports in several lines of its own; here one sentence is enough.
-class QuietVtk {
- public:
-  QuietVtk() { vtkObject::GlobalWarningDisplayOff(); }
-  ~QuietVtk() { vtkObject::SetGlobalWarningDisplay(display_); }
-  QuietVtk(const QuietVtk&) = delete;
-  QuietVtk& operator=(const QuietVtk&) = delete;
-
- private:
-  int display_ = vtkObject::GetGlobalWarningDisplay();
-};
-
-}  // namespace
 
 vtkSmartPointer<vtkPolyData> to_polydata(const Model& model) {
   vtkNew<vtkPoints> points;
@@ -53,44 +34,6 @@ vtkSmartPointer<vtkPolyData> to_polydata(const Model& model) {
     data->GetPointData()->SetScalars(colours);
   }
   return data;
-}
-
-Model from_polydata(vtkPolyData* data) {
-  Model model;
-  const vtkIdType count = data->GetNumberOfPoints();
-  for (vtkIdType i = 0; i < count; ++i) {
-    Point p{};
-    data->GetPoint(i, p.data());
-    model.positions.push_back(p);
-  }
-  const auto* colours = vtkUnsignedCharArray::SafeDownCast(data->GetPointData()->GetScalars());
-  if (colours && colours->GetNumberOfComponents() >= 3 && colours->GetNumberOfTuples() == count)
-    for (vtkIdType i = 0; i < count; ++i)
-      model.colours.push_back({colours->GetTypedComponent(i, 0), colours->GetTypedComponent(i, 1),
-                               colours->GetTypedComponent(i, 2)});
-
-  const auto polygons = vtkSmartPointer<vtkCellArrayIterator>::Take(data->GetPolys()->NewIterator());
-  for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal(); polygons->GoToNextCell()) {
-    vtkIdList* polygon = polygons->GetCurrentCell();
-    const auto corner = [&](vtkIdType k) {
-      const vtkIdType id = polygon->GetId(k);
-      if (id < 0 || id >= count) throw IoError("a face in it names a vertex that does not exist");
-      return static_cast<std::int32_t>(id);
-    };
-    for (vtkIdType k = 2; k < polygon->GetNumberOfIds(); ++k)
-      model.triangles.push_back({corner(0), corner(k - 1), corner(k)});
-  }
-  return model;
-}
-
-Model read_vtk(const std::string& path) {
-  const QuietVtk quiet;
-  vtkNew<vtkPolyDataReader> reader;
-  reader->SetFileName(path.c_str());
-  if (!reader->IsFilePolyData()) throw IoError("it is not a legacy VTK file of polygons");
-  reader->Update();
-  if (reader->GetErrorCode() != 0) throw IoError("it is not a whole VTK file");
-  return from_polydata(reader->GetOutput());
 }
 
 std::string encode_vtk(const Model& model) {

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "io_error.h"
+#include "scalar.h"
+#include "text_scanner.h"
+
+namespace filmsticking::io {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r\n\v\f";
+
+[[noreturn]] void throw_short() { throw IoError("it is not a whole VTK file"); }
+
+std::string lower(std::string_view word) {
+  std::string text(word);
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+/// The words and numbers of a file, one after the other.
+class Body {
+ public:
+  explicit Body(std::string_view bytes) : rest_(bytes) {}
+
+  std::string_view line() {
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    return line;
+  }
+
+  /// Empty at the end of the file.
+  std::string_view word() {
+    rest_.remove_prefix(std::min(rest_.find_first_not_of(kBlanks), rest_.size()));
+    const std::string_view word = rest_.substr(0, rest_.find_first_of(kBlanks));
+    rest_.remove_prefix(word.size());
+    return word;
+  }
+
+  std::string keyword() { return lower(word()); }
+
+  std::size_t count() {
+    long long value = 0;
+    if (!parse_integer(word(), value) || value < 0) throw IoError("a number of things in it is none");
+    return static_cast<std::size_t>(value);
+  }
+
+  Scalar type() {
+    static const std::map<std::string_view, Scalar> types = {{"char", Scalar::Int8},
+                                                             {"signed_char", Scalar::Int8},
+                                                             {"unsigned_char", Scalar::UInt8},
+                                                             {"short", Scalar::Int16},
+                                                             {"unsigned_short", Scalar::UInt16},
+                                                             {"int", Scalar::Int32},
+                                                             {"unsigned_int", Scalar::UInt32},
+                                                             {"vtkidtype", Scalar::Int32},
+                                                             {"long", Scalar::Int64},
+                                                             {"unsigned_long", Scalar::UInt64},
+                                                             {"vtktypeint64", Scalar::Int64},
+                                                             {"vtktypeuint64", Scalar::UInt64},
+                                                             {"float", Scalar::Float},
+                                                             {"double", Scalar::Double}};
+    const std::string name = keyword();
+    const auto found = types.find(name);
+    if (found == types.end()) throw IoError("an array in it has an unknown type '" + name + "'");
+    return found->second;
+  }
+
+  /// Calls use(value) for each number of an array of `tuples` times `size` of them. A length that the rest of
+  /// the file cannot hold is refused before.
+  template <class Use>
+  void array(std::size_t tuples, std::size_t size, Scalar type, const Use& use) {
+    if (binary_) line();
+    const std::size_t smallest = binary_ ? size_of(type) : 1;
+    if (size > 0 && tuples > rest_.size() / smallest / size) throw_short();
+    for (std::size_t i = 0; i < tuples * size; ++i) use(value(type));
+  }
+
+  std::vector<double> array(std::size_t count, Scalar type) {
+    std::vector<double> values;
+    array(count, 1, type, [&](double x) { values.push_back(x); });
+    return values;
+  }
+
+  void skip(std::size_t tuples, std::size_t size, Scalar type) {
+    array(tuples, size, type, [](double) {});
+  }
+
+  void set_binary(bool binary) { binary_ = binary; }
+  bool binary() const { return binary_; }
+
+ private:
+  double value(Scalar type) {
+    if (!binary_) return text_value(type);
+    const std::size_t size = size_of(type);
+    char raw[8];
+    std::memcpy(raw, rest_.data(), size);  // it is there: array() has looked
+    rest_.remove_prefix(size);
+    std::reverse(raw, raw + size);  // binary files are big-endian
+    return load(raw, type);
+  }
+
+  double text_value(Scalar type) {
+    const std::string_view text = word();
+    if (text.empty()) throw_short();
+    float single = 0;
+    double value = 0;
+    if (!(type == Scalar::Float ? TextScanner(text).number(single) : TextScanner(text).number(value)))
+      throw IoError("an array in it has a word that is not a number");
+    return type == Scalar::Float ? static_cast<double>(single) : value;
+  }
+
+  std::string_view rest_;
+  bool binary_ = false;
+};
+
+class Decoder {
+ public:
+  explicit Decoder(std::string_view bytes) : body_(bytes) {}
+
+  /// Ends: every turn takes a word at least.
+  Model decode() {
+    header();
+    for (std::string keyword = body_.keyword(); !keyword.empty(); keyword = body_.keyword()) {
+      if (keyword == "points") {
+        points();
+      } else if (keyword == "vertices" || keyword == "lines") {
+        cells([](const std::vector<std::int32_t>&) {});
+      } else if (keyword == "polygons") {
+        cells([&](const std::vector<std::int32_t>& c) {
+          for (std::size_t k = 2; k < c.size(); ++k) model_.triangles.push_back({c[0], c[k - 1], c[k]});
+        });
+      } else if (keyword == "triangle_strips") {
+        cells([&](const std::vector<std::int32_t>& c) {
+          for (std::size_t k = 2; k < c.size(); ++k)  // every other one is turned around
+            model_.triangles.push_back({c[k - 2 + k % 2], c[k - 1 - k % 2], c[k]});
+        });
+      } else if (keyword == "point_data" || keyword == "cell_data") {
+        of_points_ = keyword == "point_data";
+        tuples_ = body_.count();
+      } else if (keyword == "field") {
+        field();
+      } else if (keyword == "metadata") {
+        metadata();
+      } else if (!tuples_) {
+        throw IoError("its VTK data has an unknown part '" + keyword.substr(0, 20) + "'");
+      } else {
+        attribute(keyword);
+      }
+    }
+    for (const Triangle& triangle : model_.triangles)
+      for (const std::int32_t corner : triangle)
+        if (static_cast<std::size_t>(corner) >= model_.positions.size()) throw_no_vertex();
+    if (!model_.colours.empty() && model_.colours.size() != model_.positions.size())
+      throw IoError("it does not have a colour a point");
+    return std::move(model_);
+  }
+
+ private:
+  [[noreturn]] static void throw_no_vertex() {
+    throw IoError("a face in it names a vertex that does not exist");
+  }
+
+  void header() {
+    constexpr std::string_view kMagic = "# vtk datafile version ";
+    const std::string magic = lower(body_.line());
+    double version = 0;
+    if (magic.compare(0, kMagic.size(), kMagic) != 0 ||
+        !TextScanner(std::string_view(magic).substr(kMagic.size())).number(version))
+      throw IoError("it is not a legacy VTK file");
+    offsets_ = version >= 5;
+    body_.line();  // a title
+    const std::string format = body_.keyword();
+    if (format != "ascii" && format != "binary") throw IoError("it is neither a text nor a binary VTK file");
+    body_.set_binary(format == "binary");
+    if (body_.keyword() != "dataset" || body_.keyword() != "polydata")
+      throw IoError("it is not a legacy VTK file of polygons");
+  }
+
+  void points() {
+    if (!model_.positions.empty()) throw IoError("its VTK data has points twice");
+    const std::size_t count = body_.count();
+    const Scalar type = body_.type();
+    Point p{};
+    int k = 0;
+    body_.array(count, 3, type, [&](double x) {
+      p[k] = x;
+      k = (k + 1) % 3;
+      if (k == 0) model_.positions.push_back(p);
+    });
+  }
+
+  static std::int32_t corner(double value) {
+    if (!(value >= 0 && value < INT32_MAX)) throw_no_vertex();
+    return static_cast<std::int32_t>(value);
+  }
+
+  /// Calls use(corners) for each. From version 5 on, their corners in a row and where each begins, and the
+  /// end; before, each with its number of corners ahead of them.
+  template <class Use>
+  void cells(const Use& use) {
+    const std::size_t count = body_.count(), size = body_.count();
+    std::vector<std::int32_t> corners;
+    if (!offsets_) {
+      const std::vector<double> all = body_.array(size, Scalar::Int32);
+      std::size_t at = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        if (at == size || !(all[at] >= 0 && all[at] <= static_cast<double>(size - at - 1))) throw_bad_cells();
+        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(at) + 1;
+        const auto end = begin + static_cast<std::ptrdiff_t>(all[at]);
+        corners.clear();
+        std::transform(begin, end, std::back_inserter(corners), corner);
+        use(corners);
+        at = static_cast<std::size_t>(end - all.begin());
+      }
+      if (at != size) throw_bad_cells();
+      return;
+    }
+    if (count == 0) return;
+    if (body_.keyword() != "offsets") throw_bad_cells();
+    const Scalar offset_type = body_.type();
+    const std::vector<double> offsets = body_.array(count, offset_type);
+    if (body_.keyword() != "connectivity") throw_bad_cells();
+    const Scalar corner_type = body_.type();
+    const std::vector<double> all = body_.array(size, corner_type);
+    if (offsets.front() != 0 || offsets.back() != static_cast<double>(size)) throw_bad_cells();
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+      if (!(offsets[i] >= 0 && offsets[i] <= offsets[i + 1] && offsets[i + 1] <= static_cast<double>(size)))
+        throw_bad_cells();
+      corners.clear();
+      std::transform(all.begin() + static_cast<std::ptrdiff_t>(offsets[i]),
+                     all.begin() + static_cast<std::ptrdiff_t>(offsets[i + 1]), std::back_inserter(corners),
+                     corner);
+      use(corners);
+    }
+  }
+
+  [[noreturn]] static void throw_bad_cells() {
+    throw IoError("the cells in it do not have the size that it says");
+  }
+
+  /// Arrays of any size, which have names.
+  void field() {
+    body_.word();
+    for (std::size_t left = body_.count(); left > 0; --left) {
+      const std::string_view name = body_.word();
+      if (name.empty()) throw_short();
+      if (lower(name) == "metadata") {  // of the array before
+        metadata();
+        ++left;
+        continue;
+      }
+      const std::size_t size = body_.count(), tuples = body_.count();
+      body_.skip(tuples, size, body_.type());
+    }
+  }
+
+  /// Lines up to an empty one.
+  void metadata() {
+    body_.line();
+    while (!body_.line().empty()) {
+    }
+  }
+
+  void attribute(const std::string& keyword) {
+    static const std::map<std::string_view, std::size_t> sizes = {
+        {"vectors", 3}, {"normals", 3},    {"tensors", 9},      {"tensors6", 6},
+        {"scalars", 1}, {"global_ids", 1}, {"pedigree_ids", 1}, {"edge_flags", 1}};
+    const std::string name(body_.word());
+    if (keyword == "color_scalars") {
+      const std::size_t size = body_.count();
+      body_.binary() ? colours(size, Scalar::UInt8, 1) : colours(size, Scalar::Float, 255);
+    } else if (keyword == "lookup_table") {
+      const std::size_t size = body_.count();
+      body_.skip(size, 4, body_.binary() ? Scalar::UInt8 : Scalar::Float);
+    } else if (keyword == "texture_coordinates") {
+      const std::size_t size = body_.count();
+      body_.skip(*tuples_, size, body_.type());
+    } else if (keyword == "scalars") {
+      const Scalar type = body_.type();
+      std::size_t size = 1;
+      std::string word = body_.keyword();
+      if (long long given = 0; parse_integer(word, given)) {
+        if (given < 1 || given > 4) throw IoError("scalars in it are not one to four a point");
+        size = static_cast<std::size_t>(given), word = body_.keyword();
+      }
+      if (word != "lookup_table") throw IoError("scalars in it have no lookup table");
+      body_.word();
+      type == Scalar::UInt8 ? colours(size, type, 1) : body_.skip(*tuples_, size, type);
+    } else if (const auto found = sizes.find(keyword); found != sizes.end()) {
+      body_.skip(*tuples_, found->second, body_.type());
+    } else {
+      throw IoError("its VTK data has an unknown attribute '" + keyword.substr(0, 20) + "'");
+    }
+  }
+
+  /// Unsigned bytes, once they are multiplied by `scale`; colours if there are three for a point at least.
+  void colours(std::size_t size, Scalar type, double scale) {
+    if (!of_points_ || size < 3 || !model_.colours.empty()) return body_.skip(*tuples_, size, type);
+    Colour colour{};
+    std::size_t k = 0;
+    body_.array(*tuples_, size, type, [&](double x) {
+      const double byte = std::floor(x * scale + 0.5);
+      if (!(byte >= 0 && byte <= 255)) throw IoError("a colour in it is not from 0 to 255");
+      if (k < 3) colour[k] = static_cast<std::uint8_t>(byte);
+      k = (k + 1) % size;
+      if (k == 0) model_.colours.push_back(colour);
+    });
+  }
+
+  Body body_;
+  Model model_;
+  bool offsets_ = false;               // are cells written as in version 5?
+  std::optional<std::size_t> tuples_;  // of an attribute, once the attributes have begun
+  bool of_points_ = false;             // or else of cells
+};
+
+}  // namespace
+
+Model decode_vtk(std::string_view bytes) { return Decoder(bytes).decode(); }
+
+}  // namespace filmsticking::io
