@@ -118,7 +118,8 @@ int run(const std::string& file, const std::string& folder) {
     const auto start = std::chrono::steady_clock::now();
     const pcl::PolygonMesh mesh = make_mesh();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    if (mesh.polygons.empty() || pcl::io::savePLYFileBinary(folder + "/" + name + ".ply", mesh) != 0) {
+    const std::string path = std::string(folder).append("/").append(name).append(".ply");
+    if (mesh.polygons.empty() || pcl::io::savePLYFileBinary(path, mesh) != 0) {
       std::fprintf(stderr, "surfaces: %s made no mesh, or it cannot be written to %s\n", name.c_str(),
                    folder.c_str());
       return 1;

@@ -60,7 +60,8 @@ void set_filter(FilterOptions& options, const std::string& name, const std::stri
   FilterOptions changed = options;
   for (const FilterChoice& choice : filter_choices()) {
     if (name != choice.name) continue;
-    const std::string complaint = name + " takes " + choice.value + ", not '" + text + "'";
+    std::string complaint = name;
+    complaint.append(" takes ").append(choice.value).append(", not '").append(text).append("'");
     if (name == "crop" && numbers.size() == 6) {
       changed.crop = Box{{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
     } else if (name == "sor" && numbers.size() == 2 && numbers[0] == std::floor(numbers[0]) &&

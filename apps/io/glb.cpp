@@ -86,6 +86,7 @@ void add_positions(const std::vector<Point>& positions, const Point& origin, Buf
 
 void add_colours(const std::vector<Colour>& colours, BufferWriter& buffer) {
   std::vector<std::array<std::uint16_t, 4>> rows;
+  rows.reserve(colours.size());
   for (const Colour& c : colours) rows.push_back({to_linear(c[0]), to_linear(c[1]), to_linear(c[2]), 65535});
   buffer
       .add(rows, TINYGLTF_TARGET_ARRAY_BUFFER, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC4,

@@ -38,7 +38,7 @@ std::string JsonObject::joined(const std::string& before, const std::string& bet
   std::string text;
   for (const auto& [name, value] : members_) {
     if (!text.empty()) text += between;
-    text += before + json(std::string_view(name)) + ": " + value;
+    text.append(before).append(json(std::string_view(name))).append(": ").append(value);
   }
   return text;
 }

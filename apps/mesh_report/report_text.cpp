@@ -20,7 +20,7 @@ class Table {
   std::string text() const {
     std::string text;
     for (const auto& [name, value] : rows_)
-      text += name + std::string(width_ + 2 - name.size(), ' ') + value + '\n';
+      text.append(name).append(width_ + 2 - name.size(), ' ').append(value).append("\n");
     return text;
   }
 

@@ -277,7 +277,7 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   struct CancelFlag {
     CancelFlag() = default;
     CancelFlag(const CancelFlag&) noexcept {}
-    CancelFlag& operator=(const CancelFlag&) noexcept { return *this; }
+    CancelFlag& operator=(CancelFlag) noexcept { return *this; }
     std::atomic<bool> raised{false};
   };
 
