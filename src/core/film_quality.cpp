@@ -12,7 +12,7 @@ namespace filmsticking {
 
 FilmQuality film_quality(const GuidingSurface& film, const SiteGeometry& geometry) {
   FilmQuality quality;
-  double area = 0, sum = 0;
+  double area = 0, sum = 0, whole = 0, wide = 0;
   std::vector<Vec3> vertex_normal(geometry.spacing.size(), Vec3::Zero());
   for (const Corners& t : film.triangles) {
     const Vec3 &a = film.positions[t[0]], &b = film.positions[t[1]], &c = film.positions[t[2]];
@@ -29,8 +29,11 @@ FilmQuality film_quality(const GuidingSurface& film, const SiteGeometry& geometr
     const double weight = std::min(twice, 2 * spacing * spacing);
     area += weight;
     sum += weight * disagree / 3;
-    if ((a - b).norm() * (b - c).norm() * (c - a).norm() / (2 * twice) > 3 * spacing) ++quality.wide_faces;
+    whole += twice;
+    if ((a - b).norm() * (b - c).norm() * (c - a).norm() / (2 * twice) > 3 * spacing)
+      ++quality.wide_faces, wide += twice;
   }
+  if (whole > 0) quality.bridging = wide / whole;
   if (area > 0) quality.disagreement = sum / area;
   std::int64_t pairs = 0, opposed = 0;
   for (Index s : film.site)

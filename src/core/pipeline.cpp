@@ -39,6 +39,8 @@ constexpr double kKeptShare = 0.8;
 constexpr double kStalled = 0.95;
 // What a component or a handle costs a candidate, in sites off it.
 constexpr double kComplexityPrice = 5;
+// What a surface all of bridges would cost, beside one whose normals disagree everywhere.
+constexpr double kBridgePrice = 0.5;
 // What a site off the surface costs, in areas of one sample.
 constexpr double kOffPrice = 5;
 // Widths up to which carving does not enter, in spacings, and how much surer it is of the outside for a width
@@ -79,7 +81,7 @@ double Pipeline::Candidate::score() const {
   if (film.triangles.empty()) return std::numeric_limits<double>::infinity();
   const double sites = static_cast<double>(film.site.size()) + static_cast<double>(quality.off);
   // An inserted site is on the film, but where the film did not go by itself.
-  return quality.disagreement + 0.1 * quality.conflict +
+  return quality.disagreement + 0.1 * quality.conflict + kBridgePrice * quality.bridging +
          (static_cast<double>(quality.off) + 0.2 * static_cast<double>(inserted) +
           kComplexityPrice * static_cast<double>(quality.complexity)) /
              sites;
@@ -373,7 +375,8 @@ GuidingSurface Pipeline::film_from_outside() {
   }
   if (!of_sites(film)) return {};
   // A way out, not what the caller chose: the virtual sites would take the square of the tetrahedra.
-  if (options_.initial_surface == InitialSurface::Carve && report_.tetrahedra > kMostForVirtual * report_.sites)
+  if (options_.initial_surface == InitialSurface::Carve &&
+      report_.tetrahedra > kMostForVirtual * report_.sites)
     return film;
   // Before the film moves: the order in which a call's arguments are evaluated is the compiler's.
   const std::vector<Vec3> sites = with_virtual_sites(film);
