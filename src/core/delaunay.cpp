@@ -452,9 +452,9 @@ class Triangulation {
   void join(Worker& w) {
     if (w.border.size() > Worker::kFewFacets) return join_many(w);
     if (w.name.empty()) w.name.assign(sites_.size() + 1, 0);
-    std::size_t count = 0;  // of the surface's sites, which have short names
+    std::size_t count = 0;  // of the surface's sites, which have short names; that at infinity, -1, as well
     const auto name = [&](Index v) {
-      std::uint8_t& i = w.name[static_cast<std::size_t>(v + 1)];
+      std::uint8_t& i = w.name[static_cast<std::size_t>(v) + 1];
       if (i >= count || w.named[i] != v) i = static_cast<std::uint8_t>(count), w.named[count++] = v;
       return i;
     };

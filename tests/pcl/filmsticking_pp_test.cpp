@@ -641,8 +641,9 @@ TEST(FilmstickingPP, OptionsAreKept) {
 }
 
 TEST(FilmstickingPP, OpensWhereThereAreNoPoints) {
+  const auto whole = make_sphere<PointXYZ>(2000);
   pcl::PointCloud<PointXYZ>::Ptr half(new pcl::PointCloud<PointXYZ>);
-  for (const PointXYZ& p : *make_sphere<PointXYZ>(2000))
+  for (const PointXYZ& p : *whole)
     if (p.z > 0) half->push_back(p);
   Class filmsticking;
   filmsticking.setInputCloud(half);
