@@ -38,6 +38,7 @@ po::options_description visible_options() {
 std::string parse_format(const std::string& option, const std::string& text,
                          const std::vector<std::string>& formats) {
   std::vector<Choice<std::string>> choices;
+  choices.reserve(formats.size());
   for (const std::string& format : formats) choices.push_back({format.c_str(), format});
   return parse_choice(option, text, choices);
 }
@@ -56,7 +57,9 @@ std::vector<Task> tasks_of(const std::vector<std::string>& inputs, const std::st
     if (input == kStandardStream) throw UsageError("standard input has no name for a mesh in a folder");
     const std::string name = fs::path(input).stem().string() + "." + format;
     const auto [other, is_new] = input_of.emplace(name, input);
-    if (!is_new) throw UsageError(other->second + " and " + input + " would both become " + name);
+    if (!is_new)
+      throw UsageError(
+          std::string(other->second).append(" and ").append(input).append(" would both become ").append(name));
     tasks.push_back({input, (fs::path(folder) / name).string()});
   }
   return tasks;

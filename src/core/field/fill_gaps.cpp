@@ -123,13 +123,13 @@ void ManifoldLabels::unite_around(const Move& part) {
   for (Index t : part)
     for (Index u : mesh_.tets.neighbours[t]) {
       if (seen_[u] == stamp_) continue;
-      Index& own = name[static_cast<int>(inside_[u])];
+      Index& own = name[inside_[u] ? 1 : 0];
       const Index other = piece(u);
       if (own == kNone) own = other;
       alias_[other] = own;
     }
   for (Index t : part) {
-    Index& own = name[static_cast<int>(inside_[t])];
+    Index& own = name[inside_[t] ? 1 : 0];
     if (own == kNone) own = static_cast<Index>(alias_.size()), alias_.push_back(own);
     piece_[t] = own;
   }
@@ -172,8 +172,8 @@ void ManifoldLabels::fill(const Move& plug) {
   if (manifold && !parted(changed, 0) && !parted(changed, 1)) {
     bool present[2] = {false, false};
     for (Index t : changed) {
-      present[static_cast<int>(inside_[t])] = true;
-      for (Index u : mesh_.tets.neighbours[t]) present[static_cast<int>(inside_[u])] = true;
+      present[inside_[t] ? 1 : 0] = true;
+      for (Index u : mesh_.tets.neighbours[t]) present[inside_[u] ? 1 : 0] = true;
     }
     // Components of the surface are pieces of both labels less one; handles, components less half of the
     // Euler characteristic.
