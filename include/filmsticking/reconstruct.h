@@ -40,11 +40,16 @@ struct Result {
 ///     faces around every vertex form one ring or one fan.
 ///  7. A failure is a status and a sentence with an empty mesh; nothing is thrown.
 ///
-/// `points`: any number, any order, in any unit; NaN, infinite and repeated points are skipped.
-/// Needs about 2 KB of memory a point of a surface, whatever the points 300 bytes a tetrahedron; clouds of more
-/// than a million tetrahedra and 64 a point are refused (Status::TooComplex): those of surfaces have 6 to 20,
-/// those of points on two curves the square of their number.
-FILMSTICKING_EXPORT Result reconstruct(const std::vector<Point>& points, const Options& options = {},
+/// `points`: any number, any order, in any unit; NaN, infinite and repeated points are skipped. They are read
+/// where they lie; one copy is made, in the unit of the work.
+/// Needs about 2 KB of memory a point of a surface, whatever the points 300 bytes a tetrahedron; clouds of
+/// more than a million tetrahedra and 64 a point are refused (Status::TooComplex): those of surfaces have 6
+/// to 20, those of points on two curves the square of their number.
+FILMSTICKING_EXPORT Result reconstruct(PointsView points, const Options& options = {},
                                        const Execution& execution = {}) noexcept;
+inline Result reconstruct(const std::vector<Point>& points, const Options& options = {},
+                          const Execution& execution = {}) noexcept {
+  return reconstruct(PointsView(points), options, execution);
+}
 
 }  // namespace filmsticking

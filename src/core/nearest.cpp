@@ -24,12 +24,12 @@ struct PointTree::Impl {
   static constexpr Index kLeaf = 8, kAlone = 4096;  // points of a leaf; and that one thread sorts
 
   std::vector<Index> id;
-  std::vector<Vec3> points;  // in the order of the ids
+  const std::vector<Vec3>& points;
   std::vector<Node> nodes;
   std::atomic<Index> used{0};
 
   explicit Impl(const std::vector<Vec3>& p)
-      : id(p.size()), points(p.size()), nodes(p.empty() ? 0 : p.size() / 2 + 1) {
+      : id(p.size()), points(p), nodes(p.empty() ? 0 : p.size() / 2 + 1) {
     std::iota(id.begin(), id.end(), 0);
     if (!id.empty()) build(p, 0, static_cast<Index>(id.size()));
   }
@@ -42,10 +42,7 @@ struct PointTree::Impl {
       node.lo = node.lo.cwiseMin(p[id[i]]);
       node.hi = node.hi.cwiseMax(p[id[i]]);
     }
-    if (end - begin <= kLeaf) {
-      for (Index i = begin; i < end; ++i) points[i] = p[id[i]];
-      return n;
-    }
+    if (end - begin <= kLeaf) return n;
     Index axis;
     (node.hi - node.lo).maxCoeff(&axis);
     const Index middle = begin + (end - begin) / 2;
@@ -71,7 +68,7 @@ struct PointTree::Impl {
     const Node& node = nodes[n];
     if (node.left == kNone) {
       for (Index i = node.begin; i < node.end; ++i) {
-        const std::pair<double, Index> candidate{(points[i] - x).squaredNorm(), id[i]};
+        const std::pair<double, Index> candidate{(points[id[i]] - x).squaredNorm(), id[i]};
         if (found.size() == k && !(candidate < found.front())) continue;
         if (found.size() == k) std::pop_heap(found.begin(), found.end()), found.pop_back();
         found.push_back(candidate), std::push_heap(found.begin(), found.end());

@@ -11,7 +11,7 @@ namespace filmsticking {
 /// Nearest of some points. Indices are those of the array that was given.
 class PointTree {
  public:
-  explicit PointTree(const std::vector<Vec3>& points);
+  explicit PointTree(const std::vector<Vec3>& points);  // must outlive the tree
   ~PointTree();
   /// The nearest point and, through `distance2`, its squared distance; kNone for an empty tree.
   Index nearest(const Vec3& x, double* distance2 = nullptr) const;

@@ -2,6 +2,7 @@
 #include "outliers.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -32,36 +33,68 @@ std::vector<char> outliers(const SiteGeometry& geometry) {
   return out;
 }
 
-void keep_others(const std::vector<char>& out, SiteSet& sites) {
+// What was taken out, so that it can be put back without a copy of all.
+struct TakenOut {
+  struct Site {
+    Index before;  // its number among all
+    Vec3 perturbed;
+    std::int32_t input;
+  };
+  std::vector<Site> sites;
+  std::vector<Index> before;  // of those left
+};
+
+void take_out(const std::vector<char>& out, SiteSet& sites, TakenOut& taken) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < out.size(); ++i) {
-    if (out[i]) continue;
-    sites.positions[kept] = sites.positions[i];
+    if (out[i]) {
+      taken.sites.push_back({taken.before[i], sites.perturbed[i], sites.input[i]});
+      continue;
+    }
+    taken.before[kept] = taken.before[i];
     sites.perturbed[kept] = sites.perturbed[i];
     sites.input[kept++] = sites.input[i];
   }
-  sites.positions.resize(kept);
+  taken.before.resize(kept);
   sites.perturbed.resize(kept);
   sites.input.resize(kept);
 }
 
+void put_back(const TakenOut& taken, SiteSet& sites) {
+  const std::size_t all = sites.size() + taken.sites.size();
+  sites.perturbed.resize(all);
+  sites.input.resize(all);
+  for (std::size_t i = taken.before.size(); i-- > 0;) {  // from behind: none goes to a lower place
+    sites.perturbed[taken.before[i]] = sites.perturbed[i];
+    sites.input[taken.before[i]] = sites.input[i];
+  }
+  for (const TakenOut::Site& site : taken.sites) {
+    sites.perturbed[site.before] = site.perturbed;
+    sites.input[site.before] = site.input;
+  }
+}
+
 }  // namespace
 
-std::int64_t drop_outliers(SiteSet& sites, SiteGeometry& geometry) {
+std::int64_t drop_outliers(SiteSet& sites, PointsView points, SiteGeometry& geometry) {
   std::vector<char> out = outliers(geometry);
   if (std::count(out.begin(), out.end(), 1) == 0) return 0;
-  SiteSet rest = sites;
+  const std::size_t all = sites.size();
+  TakenOut taken;
+  taken.before.resize(all);
+  std::iota(taken.before.begin(), taken.before.end(), 0);
   SiteGeometry rest_geometry;
   do {  // ends: every turn leaves fewer
-    keep_others(out, rest);
-    if (3 * rest.size() < 2 * sites.size() || rest.size() < 4 || rest.coplanar()) return 0;
-    rest_geometry = site_geometry(rest.perturbed);
+    take_out(out, sites, taken);
+    if (3 * sites.size() < 2 * all || sites.size() < 4 || sites.coplanar(points)) {
+      put_back(taken, sites);
+      return 0;
+    }
+    rest_geometry = site_geometry(sites.perturbed);
     out = outliers(rest_geometry);
   } while (std::count(out.begin(), out.end(), 1) > 0);
-  const auto dropped = static_cast<std::int64_t>(sites.size() - rest.size());
-  sites = std::move(rest);
   geometry = std::move(rest_geometry);
-  return dropped;
+  return static_cast<std::int64_t>(taken.sites.size());
 }
 
 }  // namespace filmsticking

@@ -273,15 +273,15 @@ std::vector<double> Pipeline::film_belief(const GuidingSurface& film) const {
   return winding_belief(film);
 }
 
-GuidingSurface Pipeline::around_one_tetrahedron() {
+GuidingSurface Pipeline::around_one_tetrahedron(PointsView points) {
   monitor_.enter("manifold", monitor_.share());
   std::size_t fattest = 0;
   double most = 0;
   for (std::size_t t = 0; t < mesh_.size(); ++t) {
     if (mesh_.tets.infinite(static_cast<Index>(t))) continue;
     const auto& c = mesh_.tets.corners[t];
-    const Vec3 &a = sites_.positions[c[0]], &b = sites_.positions[c[1]], &d = sites_.positions[c[2]],
-               &e = sites_.positions[c[3]];
+    const Vec3 a = sites_.exact(points, c[0]), b = sites_.exact(points, c[1]), d = sites_.exact(points, c[2]),
+               e = sites_.exact(points, c[3]);
     const double volume = std::abs((b - a).cross(d - a).dot(e - a));
     if (volume > most) most = volume, fattest = t;
   }

@@ -26,8 +26,9 @@ class Pipeline {
   GuidingSurface run(Tetrahedra tetrahedra);
 
   /// The last resort, after run(): the tetrahedron of largest volume, and what sites it reaches. Closed
-  /// manifold of sites that encloses it; empty only if all tetrahedra are flat.
-  GuidingSurface around_one_tetrahedron();
+  /// manifold of sites that encloses it; empty only if all tetrahedra are flat. `points`: what the sites were
+  /// made of.
+  GuidingSurface around_one_tetrahedron(PointsView points);
 
  private:
   struct Candidate {

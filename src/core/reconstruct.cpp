@@ -143,7 +143,7 @@ void describe_result(Result& result, const SurfaceTopology& topology) {
   report.genus = (2 * report.components - euler - report.boundary_loops) / 2;
 }
 
-void run(const std::vector<Point>& points, const Options& options, const Execution& execution,
+void run(PointsView points, const Options& options, const Execution& execution,
          Result& result) {
   Report& report = result.report;
   report.points = static_cast<std::int64_t>(points.size());
@@ -164,7 +164,7 @@ void run(const std::vector<Point>& points, const Options& options, const Executi
     return fail(result, Status::TooFewPoints,
                 "a closed surface needs at least four distinct finite points, here are " +
                     std::to_string(sites.size()));
-  if (sites.coplanar()) return fail(result, Status::Coplanar, describe(Status::Coplanar));
+  if (sites.coplanar(points)) return fail(result, Status::Coplanar, describe(Status::Coplanar));
 
   if (const auto no = refusal(report.points, report.sites, kUsualTetrahedra * report.sites, options.max_memory))
     return fail(result, no->first, no->second);
@@ -176,7 +176,7 @@ void run(const std::vector<Point>& points, const Options& options, const Executi
 
   monitor.enter("triangulation", 0.02);
   SiteGeometry geometry = site_geometry(sites.perturbed);
-  if (!options.keep_outliers) report.outliers = drop_outliers(sites, geometry);
+  if (!options.keep_outliers) report.outliers = drop_outliers(sites, points, geometry);
   Tetrahedra tetrahedra;
   try {
     tetrahedra = delaunay_tetrahedra(sites.perturbed, limits);
@@ -199,7 +199,7 @@ void run(const std::vector<Point>& points, const Options& options, const Executi
   };
   bool oriented = orient();
   // A closed film may be flat, by less than the points are perturbed: few points, mostly on a plane.
-  if (!oriented && !options.open_boundary) film = pipeline.around_one_tetrahedron(), oriented = orient();
+  if (!oriented && !options.open_boundary) film = pipeline.around_one_tetrahedron(points), oriented = orient();
   if (!oriented) return fail(result, Status::NoSurface, describe(Status::NoSurface));
   monitor.enter("result", 0.97);
   write_result(film, face_gaps(film, geometry), sites, result);
@@ -251,7 +251,7 @@ const char* describe(Status status) noexcept {
   return "unknown status";
 }
 
-Result reconstruct(const std::vector<Point>& points, const Options& options,
+Result reconstruct(PointsView points, const Options& options,
                    const Execution& execution) noexcept {
   const auto start = std::chrono::steady_clock::now();
   Result result;

@@ -103,7 +103,7 @@ AxisTurn canonical_turn(const std::vector<Vec3>& points) {
 
 }  // namespace
 
-SiteSet make_site_set(const std::vector<Point>& points) {
+SiteSet make_site_set(PointsView points) {
   SiteSet set;
   struct Entry {
     std::uint64_t code;
@@ -114,7 +114,7 @@ SiteSet make_site_set(const std::vector<Point>& points) {
   const double inf = std::numeric_limits<double>::infinity();
   Vec3 lo(inf, inf, inf), hi(-inf, -inf, -inf);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point& p = points[i];
+    const Point p = points[i];
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) {
       ++set.non_finite;
       continue;
@@ -136,7 +136,7 @@ SiteSet make_site_set(const std::vector<Point>& points) {
     });
     tbb::parallel_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
       if (a.code != b.code) return a.code < b.code;
-      const Point &p = points[static_cast<std::size_t>(a.id)], &q = points[static_cast<std::size_t>(b.id)];
+      const Point p = points[static_cast<std::size_t>(a.id)], q = points[static_cast<std::size_t>(b.id)];
       if (p == q) return a.id < b.id;
       const Vec3 u = set.turn(Vec3(p[0], p[1], p[2])), v = set.turn(Vec3(q[0], q[1], q[2]));
       return std::lexicographical_compare(u.data(), u.data() + 3, v.data(), v.data() + 3);
@@ -150,18 +150,18 @@ SiteSet make_site_set(const std::vector<Point>& points) {
   set.duplicates = std::distance(distinct, entries.end());
   entries.erase(distinct, entries.end());
 
-  std::vector<Vec3> unturned(entries.size());
+  std::vector<Vec3>& unturned = set.perturbed;  // for the time being
+  unturned.resize(entries.size());
   parallel_each(entries.size(), [&](std::size_t i) {
     unturned[i] = set.to_unit(points[static_cast<std::size_t>(entries[i].id)]);
   });
   set.turn = canonical_turn(unturned);
   sort_entries();
-  set.positions.resize(entries.size());
   set.perturbed.resize(entries.size());
   set.input.resize(entries.size());
   parallel_each(entries.size(), [&](std::size_t i) {
     set.input[i] = entries[i].id;
-    const Vec3 p = set.positions[i] = set.to_unit(points[static_cast<std::size_t>(entries[i].id)]);
+    const Vec3 p = set.to_unit(points[static_cast<std::size_t>(entries[i].id)]);
     std::uint64_t h = hash(p);
     Vec3 shift;
     for (int k = 0; k < 3; ++k) {
@@ -173,22 +173,24 @@ SiteSet make_site_set(const std::vector<Point>& points) {
   return set;
 }
 
-bool SiteSet::coplanar() const {
-  const std::vector<Vec3>& p = positions;
+bool SiteSet::coplanar(PointsView points) const {
   auto farthest = [&](auto&& distance) {
     std::size_t best = 0;
-    for (std::size_t i = 0; i < p.size(); ++i)
-      if (distance(p[i]) > distance(p[best])) best = i;
-    return best;
+    double most = -1;
+    for (std::size_t i = 0; i < size(); ++i)
+      if (const double d = distance(exact(points, i)); d > most) most = d, best = i;
+    return exact(points, best);
   };
-  const Vec3 a = p[0];
-  const Vec3 b = p[farthest([&](const Vec3& x) { return (x - a).squaredNorm(); })];
+  const Vec3 a = exact(points, 0);
+  const Vec3 b = farthest([&](const Vec3& x) { return (x - a).squaredNorm(); });
   const Vec3 u = (b - a).normalized();
   auto off_line = [&](const Vec3& x) { return Vec3(x - a - u.dot(x - a) * u); };
-  const Vec3 v = off_line(p[farthest([&](const Vec3& x) { return off_line(x).squaredNorm(); })]);
+  const Vec3 v = off_line(farthest([&](const Vec3& x) { return off_line(x).squaredNorm(); }));
   if (v.norm() < kFlat) return true;
   const Vec3 n = u.cross(v.normalized());
-  return std::all_of(p.begin(), p.end(), [&](const Vec3& x) { return std::abs(n.dot(x - a)) < kFlat; });
+  for (std::size_t i = 0; i < size(); ++i)
+    if (!(std::abs(n.dot(exact(points, i) - a)) < kFlat)) return false;
+  return true;
 }
 
 }  // namespace filmsticking

@@ -27,8 +27,8 @@ struct AxisTurn {
 
 /// The distinct finite points, in a box of longest side 1 around the origin and along a space-filling curve.
 struct SiteSet {
-  std::vector<Vec3> positions;      ///< recentred, scaled and turned
-  std::vector<Vec3> perturbed;      ///< the same moved by at most kPerturbation: no four on a circle
+  /// Recentred, scaled and turned, and moved by at most kPerturbation: no four on a circle.
+  std::vector<Vec3> perturbed;
   std::vector<std::int32_t> input;  ///< site i is input point input[i]: of equal points the first
   std::int64_t non_finite = 0;
   std::int64_t duplicates = 0;
@@ -37,8 +37,14 @@ struct SiteSet {
 
   AxisTurn turn;  ///< of the input's axes, by the coordinates alone: a cloud turned by 90 degrees is the same
 
-  std::size_t size() const { return positions.size(); }
-  bool coplanar() const;  ///< do all sites lie on one plane, line or point, but for rounding to float?
+  std::size_t size() const { return perturbed.size(); }
+    /// Do all sites lie on one plane, line or point, but for rounding to float? `points`: what they were made of.
+  bool coplanar(PointsView points) const;
+  /// Where a site is that is not perturbed, of the points that it was made of.
+  Vec3 exact(PointsView points, std::size_t site) const {
+    return to_unit(points[static_cast<std::size_t>(input[site])]);
+  }
+
   Vec3 to_unit(const Point& p) const { return turn((Vec3(p[0], p[1], p[2]) - centre) / side); }
   Point to_input(const Vec3& p) const {
     const Vec3 q = turn.back(p) * side + centre;
@@ -54,6 +60,6 @@ constexpr double kPerturbation = 2e-8;
 /// Never fails; fewer sites than points, perhaps none. The order and the perturbation depend on the
 /// coordinates alone, so that the order of the input does not matter; nor do a turn by 90 degrees (unless it
 /// takes the cloud to itself), a scale by a power of two, and a move that rounds nothing.
-SiteSet make_site_set(const std::vector<Point>& points);
+SiteSet make_site_set(PointsView points);
 
 }  // namespace filmsticking

@@ -158,7 +158,7 @@ TEST(Counters, OfFilmStepsKeepTheirBounds) {
     SCOPED_TRACE(name);
     const SiteSet set = make_site_set(points);
     const PowerDiagram diagram = DelaunayTriangulation(set.perturbed).voronoi();
-    GuidingSurface film = bounding_sphere(set.positions);
+    GuidingSurface film = bounding_sphere(set.perturbed);
     for (int step = 0; step < 12 && !film.triangles.empty(); ++step) {
       const auto restricted = restrict_power_diagram(
           film, half_edge_twins(film.triangles, static_cast<Index>(film.positions.size())), diagram);

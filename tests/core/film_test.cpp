@@ -34,11 +34,14 @@ void expect_manifold(const GuidingSurface& film) {
 
 TEST(DualComplex, IsClosedWhateverTheSites) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    const SiteSet set = make_site_set(test::awkward(seed));
+    const std::vector<Point> points = test::awkward(seed);
+    const SiteSet set = make_site_set(points);
     if (set.size() < 4) continue;
-    const PowerDiagram diagram = DelaunayTriangulation(set.positions).voronoi();  // ties and all
+    std::vector<Vec3> exact;  // ties and all
+    for (std::size_t s = 0; s < set.size(); ++s) exact.push_back(set.exact(points, s));
+    const PowerDiagram diagram = DelaunayTriangulation(exact).voronoi();
     if (diagram.any_site == kNone) continue;
-    const GuidingSurface sphere = bounding_sphere(set.positions);
+    const GuidingSurface sphere = bounding_sphere(exact);
     const auto restricted = restrict_power_diagram(
         sphere, half_edge_twins(sphere.triangles, static_cast<Index>(sphere.positions.size())), diagram);
     expect_closed(dual_complex(sphere, restricted, diagram));
@@ -48,7 +51,7 @@ TEST(DualComplex, IsClosedWhateverTheSites) {
 TEST(DualComplex, TriplePointsAreEquallyFarFromTheirSites) {
   const SiteSet set = make_site_set(test::sphere(400, 1));
   const PowerDiagram diagram = DelaunayTriangulation(set.perturbed).voronoi();
-  const GuidingSurface sphere = bounding_sphere(set.positions);
+  const GuidingSurface sphere = bounding_sphere(set.perturbed);
   const auto restricted = restrict_power_diagram(
       sphere, half_edge_twins(sphere.triangles, static_cast<Index>(sphere.positions.size())), diagram);
   const HalfEdgeComplex dual = dual_complex(sphere, restricted, diagram);
@@ -132,7 +135,7 @@ TEST(FilmStep, EveryStepFromTheSphereIsAManifold) {
     const SiteSet set = make_site_set(test::awkward(seed));
     if (set.size() < 4) continue;
     const PowerDiagram diagram = DelaunayTriangulation(set.perturbed).voronoi();
-    GuidingSurface film = bounding_sphere(set.positions);
+    GuidingSurface film = bounding_sphere(set.perturbed);
     for (int step = 0; step < 5 && !film.triangles.empty(); ++step) {
       RepairCounts counts;
       film = film_step(film, diagram, step % 2 ? RingChoice::Nearest : RingChoice::Smooth, counts);
@@ -148,7 +151,7 @@ TEST(Film, ReachesEverySiteOfASphereAndIsStable) {
   std::vector<StepRecord> records;
   options.after_step = [&](const StepRecord& r, const GuidingSurface&) { return records.push_back(r), true; };
   const GuidingSurface film =
-      evolve_film(bounding_sphere(set.positions), set.perturbed, set.size(), diagram, options);
+      evolve_film(bounding_sphere(set.perturbed), set.perturbed, set.size(), diagram, options);
   EXPECT_EQ(attracted_points(film, set.size()), 2000);
   ASSERT_FALSE(records.empty());
   EXPECT_EQ(records.back().attracted, 2000);
@@ -167,7 +170,7 @@ TEST(Film, WeightsAttractWhatAStalledFilmLeaves) {
     FilmOptions options;
     options.weights = weights;
     attracted[weights] = attracted_points(
-        evolve_film(bounding_sphere(set.positions), set.perturbed, set.size(), diagram, options), set.size());
+        evolve_film(bounding_sphere(set.perturbed), set.perturbed, set.size(), diagram, options), set.size());
   }
   EXPECT_LT(attracted[0], 1800);
   EXPECT_GT(attracted[1], attracted[0]);
@@ -188,7 +191,7 @@ TEST(Film, VirtualSitesLeaveAndNeverStay) {
     return true;
   };
   const GuidingSurface film =
-      evolve_film(bounding_sphere(set.positions), sites, set.size(), diagram, options);
+      evolve_film(bounding_sphere(set.perturbed), sites, set.size(), diagram, options);
   expect_manifold(film);
   for (Index s : film.site) EXPECT_LT(s, static_cast<Index>(set.size()));
 }

@@ -145,19 +145,19 @@ TEST(RestrictedPowerDiagram, Regression_OfSitesThatAreAllNeighboursAWalkIsNotQua
 
 TEST(AttractionWeights, StayInThePapersInterval) {
   const SiteSet set = make_site_set(test::sphere(500, 8));
-  GuidingSurface film = bounding_sphere(set.positions);
+  GuidingSurface film = bounding_sphere(set.perturbed);
   std::vector<Index> off;
   for (Index s = 0; s < static_cast<Index>(set.size()); ++s) off.push_back(s);
   std::vector<double> weights;
-  const std::size_t weighted = attraction_weights(film, set.positions, off, weights);
+  const std::size_t weighted = attraction_weights(film, set.perturbed, off, weights);
   EXPECT_GT(weighted, 0u);
   const SurfaceTree surface(film);
   for (std::size_t s = 0; s < weights.size(); ++s) {
     if (weights[s] == 0) continue;
     double to_vertex2 = 1e300;
     for (const Vec3& v : film.positions)
-      to_vertex2 = std::min(to_vertex2, (v - set.positions[s]).squaredNorm());
-    EXPECT_GT(weights[s], (surface.nearest(set.positions[s]).point - set.positions[s]).squaredNorm());
+      to_vertex2 = std::min(to_vertex2, (v - set.perturbed[s]).squaredNorm());
+    EXPECT_GT(weights[s], (surface.nearest(set.perturbed[s]).point - set.perturbed[s]).squaredNorm());
     EXPECT_LT(weights[s], to_vertex2);
   }
 }

@@ -41,13 +41,13 @@ TEST(TriangleAdjacency, SeesEveryKindOfFault) {
 
 TEST(GuidingSurface, SphereHoldsTheSites) {
   const SiteSet set = make_site_set(test::grid(4));
-  const GuidingSurface sphere = bounding_sphere(set.positions);
+  const GuidingSurface sphere = bounding_sphere(set.perturbed);
   EXPECT_TRUE(check_manifold(sphere.triangles, static_cast<Index>(sphere.positions.size())).ok());
   EXPECT_GT(signed_volume6(sphere), 0);
   for (const Corners& t : sphere.triangles) {
     const Vec3 &a = sphere.positions[t[0]], &b = sphere.positions[t[1]], &c = sphere.positions[t[2]];
     const Vec3 outward = (b - a).cross(c - a);
-    for (const Vec3& p : set.positions) EXPECT_LT(outward.dot(p - a), 0);
+    for (const Vec3& p : set.perturbed) EXPECT_LT(outward.dot(p - a), 0);
   }
 }
 
@@ -58,7 +58,7 @@ TEST(GuidingSurface, WrapIsClosedAndHoldsTheSites) {
   std::vector<Index> all;
   for (std::size_t t = 0; t < wrap.triangles.size(); ++t) all.push_back(static_cast<Index>(t));
   for (std::size_t s = 0; s < set.size(); s += 50)
-    EXPECT_NEAR(solid_angle_winding(wrap, all, set.positions[s]), 1, 1e-6);
+    EXPECT_NEAR(solid_angle_winding(wrap, all, set.perturbed[s]), 1, 1e-6);
 }
 
 std::vector<Point> places_of(const GuidingSurface& surface) {

@@ -16,6 +16,11 @@
 #include "filmsticking/status.h"
 #include "filmsticking/types.h"
 
+namespace filmsticking {
+struct Execution;
+struct Result;
+}  // namespace filmsticking
+
 namespace pcl {
 
 /** \brief Closed, manifold surface through the points of a cloud without normals (Filmsticking++).
@@ -291,6 +296,9 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
 
   /** \brief Prepare the indices; false, with the status set, if the input cannot be used. */
   bool checkInput();
+
+  /** \brief The mesh of the indexed points, which are read where they lie. */
+  filmsticking::Result computeResult(const filmsticking::Execution& execution) const;
 
   /** \brief Set a failure and report it by PCL_ERROR. */
   void fail(Status status, const std::string& message);

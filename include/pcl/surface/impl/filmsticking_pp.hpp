@@ -7,11 +7,14 @@
 #include <pcl/surface/filmsticking_pp.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <new>
 #include <pcl/impl/pcl_base.hpp>
 #include <pcl/surface/impl/filmsticking_pp_blob.hpp>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "filmsticking/reconstruct.h"
 
@@ -115,17 +118,10 @@ void pcl::FilmstickingPP<PointInT>::performReconstruction(pcl::PolygonMesh& outp
 template <typename PointInT>
 void pcl::FilmstickingPP<PointInT>::performReconstruction(pcl::PointCloud<PointInT>& points,
                                                           std::vector<pcl::Vertices>& polygons) {
-  std::vector<filmsticking::Point> positions;
-  positions.reserve(indices_->size());
-  for (const pcl::index_t index : *indices_) {
-    const PointInT& point = (*input_)[index];
-    positions.push_back({point.x, point.y, point.z});
-  }
-
   filmsticking::Execution execution;
   execution.progress = progress_callback_;
   execution.cancel = &cancel_.raised;
-  filmsticking::Result result = filmsticking::reconstruct(positions, options_, execution);
+  filmsticking::Result result = computeResult(execution);
   report_ = std::move(result.report);
   if (result.status != Status::Ok) {
     fail(result.status, result.message.empty() ? filmsticking::describe(result.status) : result.message);
@@ -148,6 +144,25 @@ void pcl::FilmstickingPP<PointInT>::performReconstruction(pcl::PointCloud<PointI
   for (std::size_t t = 0; t < polygons.size(); ++t)
     polygons[t].vertices.assign(result.triangles[t].begin(), result.triangles[t].end());
   status_ = Status::Ok;
+}
+
+template <typename PointInT>
+filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResult(const filmsticking::Execution& execution) const {
+  if constexpr (std::is_same_v<pcl::index_t, std::int32_t> &&
+                std::is_same_v<decltype(PointInT::x), float> && std::is_same_v<decltype(PointInT::z), float>) {
+    if (input_->empty()) return filmsticking::reconstruct(std::vector<filmsticking::Point>(), options_, execution);
+    const PointInT& first = input_->points.front();
+    if (&first.y == &first.x + 1 && &first.z == &first.x + 2)  // as in PCL's own types: read where they lie
+      return filmsticking::reconstruct(
+          filmsticking::PointsView(&first.x, sizeof(PointInT), input_->size()).at(*indices_), options_, execution);
+  }
+  std::vector<filmsticking::Point> positions;
+  positions.reserve(indices_->size());
+  for (const pcl::index_t index : *indices_) {
+    const PointInT& point = (*input_)[index];
+    positions.push_back({point.x, point.y, point.z});
+  }
+  return filmsticking::reconstruct(positions, options_, execution);
 }
 
 template <typename PointInT>
