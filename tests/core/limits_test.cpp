@@ -190,7 +190,6 @@ TEST(Limits, CancelIsHeardAtAnyMoment) {
     std::atomic<bool> cancel{false};
     Execution execution;
     execution.cancel = &cancel;
-    std::atomic<double> late{0};
     const double moment = random.uniform(0, 0.9 * whole);
     Clock::time_point asked;
     std::thread other([&] {
