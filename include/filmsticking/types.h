@@ -25,10 +25,10 @@ class PointsView {
   PointsView(const float* first, std::size_t stride, std::size_t size)
       : first_(reinterpret_cast<const char*>(first)), stride_(stride), size_(size), floats_(true) {}
 
-  /// Point i is point ids[i] of this view, itself not one by index; each must be one of its points.
+  /// Point i is point ids[i] of this view; each must be one of its points. Not more than twice.
   PointsView at(const std::vector<std::int32_t>& ids) const {
     PointsView some = *this;
-    some.ids_ = ids.data(), some.size_ = ids.size();
+    some.inner_ids_ = ids_, some.ids_ = ids.data(), some.size_ = ids.size();
     return some;
   }
 
@@ -37,6 +37,7 @@ class PointsView {
 
   Point operator[](std::size_t i) const {
     if (ids_ != nullptr) i = static_cast<std::size_t>(ids_[i]);
+    if (inner_ids_ != nullptr) i = static_cast<std::size_t>(inner_ids_[i]);
     const char* place = first_ + i * stride_;  // its bytes: a stride need not be a multiple of a number's
     if (floats_) {
       std::array<float, 3> p;
@@ -52,7 +53,8 @@ class PointsView {
   const char* first_;
   std::size_t stride_;
   std::size_t size_;
-  const std::int32_t* ids_ = nullptr;
+  const std::int32_t* ids_ = nullptr;        // or null: all, as they come
+  const std::int32_t* inner_ids_ = nullptr;  // of the view that this is some of
   bool floats_ = false;
 };
 

@@ -15,12 +15,13 @@ namespace {
 /// a corner of the surface, which keeps their digits, and multiplied by `unit`; before they are subtracted
 /// they are divided by `part`, a power of two.
 template <class Number, class Term>
-void each_product(const std::vector<Corners>& triangles, const std::vector<Point>& places, int part,
-                  double unit, const Term& term) {
-  const Point& o = places[triangles[0][0]];
+void each_product(const std::vector<Corners>& triangles, PointsView places, int part, double unit,
+                  const Term& term) {
+  const Point o = places[triangles[0][0]];
   const auto relative = [&](Index v) {
+    const Point place = places[v];
     std::array<Number, 3> p;
-    for (int k = 0; k < 3; ++k) p[k] = (Number(places[v][k] / part) - Number(o[k] / part)) * Number(unit);
+    for (int k = 0; k < 3; ++k) p[k] = (Number(place[k] / part) - Number(o[k] / part)) * Number(unit);
     return p;
   };
   for (const Corners& t : triangles) {
@@ -34,12 +35,14 @@ void each_product(const std::vector<Corners>& triangles, const std::vector<Point
 }
 
 /// By floating-point numbers; 0 where they cannot tell.
-int rounded_sign(const std::vector<Corners>& triangles, const std::vector<Point>& places) {
+int rounded_sign(const std::vector<Corners>& triangles, PointsView places) {
   double longest = 0;
+  const Point o = places[triangles[0][0]];
   for (const Corners& t : triangles)
-    for (const Index v : t)
-      for (int k = 0; k < 3; ++k)
-        longest = std::max(longest, std::abs(places[v][k] - places[triangles[0][0]][k]));
+    for (const Index v : t) {
+      const Point place = places[v];
+      for (int k = 0; k < 3; ++k) longest = std::max(longest, std::abs(place[k] - o[k]));
+    }
   constexpr double kFar = 1e290;
   if (!(longest > 1 / kFar && longest < kFar)) return 0;
   // No coordinate is above 2 then, so that nothing overflows, and all that falls below the normal numbers on
@@ -62,7 +65,7 @@ constexpr int kPart = 4;
 
 }  // namespace
 
-int enclosed_volume_sign(const std::vector<Corners>& triangles, const std::vector<Point>& places) {
+int enclosed_volume_sign(const std::vector<Corners>& triangles, PointsView places) {
   if (triangles.empty()) return 0;
   if (const int sign = rounded_sign(triangles, places); sign != 0) return sign;
   CGAL::Exact_rational sum = 0;
@@ -71,14 +74,18 @@ int enclosed_volume_sign(const std::vector<Corners>& triangles, const std::vecto
   return CGAL::sign(sum);
 }
 
-double enclosing_unit(const std::vector<Point>& places) {
+double enclosing_unit(PointsView places) {
   double longest = 0;
-  for (const Point& p : places)
-    for (int k = 0; k < 3; ++k) longest = std::max(longest, std::abs(p[k] / kPart - places[0][k] / kPart));
+  if (places.empty()) return 1;
+  const Point o = places[0];
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    const Point p = places[v];
+    for (int k = 0; k < 3; ++k) longest = std::max(longest, std::abs(p[k] / kPart - o[k] / kPart));
+  }
   return longest > 0 ? std::exp2(std::clamp(-std::ilogb(longest), -1000, 1000)) : 1;
 }
 
-double rounded_volume(const std::vector<Corners>& triangles, const std::vector<Point>& places, double unit) {
+double rounded_volume(const std::vector<Corners>& triangles, PointsView places, double unit) {
   double sum = 0;
   each_product<double>(triangles, places, kPart, unit,
                        [&](double product, int sign) { sum += sign * product; });

@@ -191,11 +191,9 @@ void run(PointsView points, const Options& options, const Execution& execution,
   const auto orient = [&] {
     topology.emplace(film.triangles, static_cast<Index>(film.positions.size()));
     if (!topology->check.manifold()) return !film.triangles.empty();  // told of below
-    std::vector<Point> places(film.site.size());
-    parallel_each(places.size(), [&](std::size_t v) {
-      places[v] = points[static_cast<std::size_t>(sites.input[film.site[v]])];
-    });
-    return orient_components(film, places, *topology);
+    std::vector<std::int32_t> ids(film.site.size());
+    parallel_each(ids.size(), [&](std::size_t v) { ids[v] = sites.input[film.site[v]]; });
+    return orient_components(film, points.at(ids), *topology);
   };
   bool oriented = orient();
   // A closed film may be flat, by less than the points are perturbed: few points, mostly on a plane.

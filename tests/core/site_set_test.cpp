@@ -96,6 +96,9 @@ TEST(SiteSet, ReadsPointsWhereTheyLie) {
   const PointsView view = PointsView(scan[0].xyz, sizeof(Scanned), scan.size()).at(ids);
   ASSERT_EQ(view.size(), picked.size());
   for (std::size_t i = 0; i < picked.size(); ++i) EXPECT_EQ(view[i], picked[i]);
+  const std::vector<std::int32_t> last{100, 7};
+  EXPECT_EQ(view.at(last)[0], picked[100]);
+  EXPECT_EQ(view.at(last)[1], picked[7]);
   const SiteSet a = make_site_set(view), b = make_site_set(picked);
   EXPECT_EQ(a.perturbed, b.perturbed);
   EXPECT_EQ(a.input, b.input);

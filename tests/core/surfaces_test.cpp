@@ -81,10 +81,11 @@ TEST(Orientation, TheTruePlacesSayWhatIsOutward) {
   EXPECT_FALSE(orient_components(surface, flat, SurfaceTopology(surface.triangles, 4)));
 }
 
-// A solid with a corner between the sides of one that is flat but for the perturbation was turned as its cavity.
+// A solid with a corner between the sides of one that is flat but for the perturbation was turned as its
+// cavity.
 TEST(Orientation, Regression_AFlatComponentHoldsNothing) {
   GuidingSurface surface;
-  surface.positions = {{-4, -4, 0},  {4, -4, 0},     {0, 4, 0},      {0, 0, 1e-8},
+  surface.positions = {{-4, -4, 0},  {4, -4, 0},    {0, 4, 0},     {0, 0, 1e-8},
                        {0, 0, 1e-9}, {0.5, 0, 0.5}, {0, 0.5, 0.5}, {0, 0, 0.7}};
   surface.site.assign(8, kNone);
   for (const Index first : {0, 4})
@@ -99,8 +100,9 @@ TEST(Orientation, Regression_AFlatComponentHoldsNothing) {
 TEST(EnclosedVolume, IsExactAtEveryScale) {
   const std::vector<Corners> triangles(std::begin(kTetrahedron), std::end(kTetrahedron));
   const auto sign = [&](double x, double y, double z, const Point& o) {
-    return enclosed_volume_sign(triangles,
-                                {o, {o[0] + x, o[1], o[2]}, {o[0], o[1] + y, o[2]}, {o[0], o[1], o[2] + z}});
+    return enclosed_volume_sign(
+        triangles,
+        std::vector<Point>{o, {o[0] + x, o[1], o[2]}, {o[0], o[1] + y, o[2]}, {o[0], o[1], o[2] + z}});
   };
   const int outward = sign(1, 1, 1, {0, 0, 0});
   EXPECT_EQ(std::abs(outward), 1);
@@ -112,7 +114,7 @@ TEST(EnclosedVolume, IsExactAtEveryScale) {
   EXPECT_EQ(sign(1e300, 1e300, 1e300, {-1e308, 1e308, 1e308}), outward);
   EXPECT_EQ(sign(1, 1, 1e-9, {1e6, 1e6, 1e6}), outward);
   EXPECT_EQ(sign(1, 1, 1e-12, {1e6, 1e6, 1e6}), 0);  // rounded away already
-  EXPECT_EQ(enclosed_volume_sign({}, {}), 0);
+  EXPECT_EQ(enclosed_volume_sign({}, std::vector<Point>()), 0);
 }
 
 TEST(Orientation, TurnsSolidsOutwardAndCavitiesInward) {
