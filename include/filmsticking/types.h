@@ -17,8 +17,8 @@ using Point = std::array<double, 3>;
 /// Holds pointers, so what it was made of must outlive it unchanged.
 class PointsView {
  public:
-  PointsView(
-      const std::vector<Point>& points)  // NOLINT(google-explicit-constructor): a vector is a view of itself
+  /// All of a vector: a vector is a view of itself.
+  PointsView(const std::vector<Point>& points)
       : first_(reinterpret_cast<const char*>(points.data())), stride_(sizeof(Point)), size_(points.size()) {}
 
   /// `size` points, each of three floats x, y, z in a row, `stride` bytes from the one before.
@@ -32,9 +32,10 @@ class PointsView {
     return some;
   }
 
-  std::size_t size() const { return size_; }
-  bool empty() const { return size_ == 0; }
+  std::size_t size() const { return size_; }  ///< how many points
+  bool empty() const { return size_ == 0; }   ///< is there none?
 
+  /// Point i, less than size(); floats become doubles, which changes no number.
   Point operator[](std::size_t i) const {
     if (ids_ != nullptr) i = static_cast<std::size_t>(ids_[i]);
     if (inner_ids_ != nullptr) i = static_cast<std::size_t>(inner_ids_[i]);
