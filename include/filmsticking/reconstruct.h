@@ -45,7 +45,7 @@ struct Result {
 /// Needs about 2 KB of memory a point of a surface, whatever the points 300 bytes a tetrahedron; clouds of
 /// more than a million tetrahedra and 64 a point are refused (Status::TooComplex): those of surfaces have 6
 /// to 20, those of points on two curves the square of their number.
-FILMSTICKING_EXPORT Result reconstruct(PointsView points, const Options& options = {},
+FILMSTICKING_EXPORT Result reconstruct(const PointsView& points, const Options& options = {},
                                        const Execution& execution = {}) noexcept;
 inline Result reconstruct(const std::vector<Point>& points, const Options& options = {},
                           const Execution& execution = {}) noexcept {

@@ -15,7 +15,7 @@ namespace {
 /// a corner of the surface, which keeps their digits, and multiplied by `unit`; before they are subtracted
 /// they are divided by `part`, a power of two.
 template <class Number, class Term>
-void each_product(const std::vector<Corners>& triangles, PointsView places, int part, double unit,
+void each_product(const std::vector<Corners>& triangles, const PointsView& places, int part, double unit,
                   const Term& term) {
   const Point o = places[triangles[0][0]];
   const auto relative = [&](Index v) {
@@ -35,7 +35,7 @@ void each_product(const std::vector<Corners>& triangles, PointsView places, int 
 }
 
 /// By floating-point numbers; 0 where they cannot tell.
-int rounded_sign(const std::vector<Corners>& triangles, PointsView places) {
+int rounded_sign(const std::vector<Corners>& triangles, const PointsView& places) {
   double longest = 0;
   const Point o = places[triangles[0][0]];
   for (const Corners& t : triangles)
@@ -65,7 +65,7 @@ constexpr int kPart = 4;
 
 }  // namespace
 
-int enclosed_volume_sign(const std::vector<Corners>& triangles, PointsView places) {
+int enclosed_volume_sign(const std::vector<Corners>& triangles, const PointsView& places) {
   if (triangles.empty()) return 0;
   if (const int sign = rounded_sign(triangles, places); sign != 0) return sign;
   CGAL::Exact_rational sum = 0;
@@ -74,7 +74,7 @@ int enclosed_volume_sign(const std::vector<Corners>& triangles, PointsView place
   return CGAL::sign(sum);
 }
 
-double enclosing_unit(PointsView places) {
+double enclosing_unit(const PointsView& places) {
   double longest = 0;
   if (places.empty()) return 1;
   const Point o = places[0];
@@ -85,7 +85,7 @@ double enclosing_unit(PointsView places) {
   return longest > 0 ? std::exp2(std::clamp(-std::ilogb(longest), -1000, 1000)) : 1;
 }
 
-double rounded_volume(const std::vector<Corners>& triangles, PointsView places, double unit) {
+double rounded_volume(const std::vector<Corners>& triangles, const PointsView& places, double unit) {
   double sum = 0;
   each_product<double>(triangles, places, kPart, unit,
                        [&](double product, int sign) { sum += sign * product; });

@@ -21,7 +21,7 @@ double solid_angle_winding(const GuidingSurface& surface, const std::vector<Inde
   return sum / (2 * M_PI);
 }
 
-bool orient_components(GuidingSurface& surface, PointsView places, const SurfaceTopology& topology) {
+bool orient_components(GuidingSurface& surface, const PointsView& places, const SurfaceTopology& topology) {
   const std::vector<Index>&component = topology.component, &twin = topology.twin;
   const Index count = topology.components;
   std::vector<std::vector<Index>> members(count);

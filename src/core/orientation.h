@@ -14,7 +14,7 @@ namespace filmsticking {
 /// surface, which may be perturbed; the sign of a volume, by the true `places` of its vertices, between which
 /// there can be less than a perturbation. `topology` is that of its triangles before. False if all components
 /// are closed and none encloses any volume.
-bool orient_components(GuidingSurface& surface, PointsView places, const SurfaceTopology& topology);
+bool orient_components(GuidingSurface& surface, const PointsView& places, const SurfaceTopology& topology);
 
 /// The winding number of a closed surface around x: the sum of its triangles' solid angles over 4 pi.
 double solid_angle_winding(const GuidingSurface& surface, const std::vector<Index>& triangles, const Vec3& x);

@@ -76,7 +76,7 @@ void put_back(const TakenOut& taken, SiteSet& sites) {
 
 }  // namespace
 
-std::int64_t drop_outliers(SiteSet& sites, PointsView points, SiteGeometry& geometry) {
+std::int64_t drop_outliers(SiteSet& sites, const PointsView& points, SiteGeometry& geometry) {
   std::vector<char> out = outliers(geometry);
   if (std::count(out.begin(), out.end(), 1) == 0) return 0;
   const std::size_t all = sites.size();

@@ -13,6 +13,6 @@ namespace filmsticking {
 /// not on one plane with it. Without the plainest the next are lonelier, so it looks again as long as it
 /// finds any. `points`: what the sites were made of. Nothing is taken if a third of the sites would go, or all but some on a plane: that is no cloud
 /// of a surface with outliers. Ends: every pass but the last takes sites away.
-std::int64_t drop_outliers(SiteSet& sites, PointsView points, SiteGeometry& geometry);
+std::int64_t drop_outliers(SiteSet& sites, const PointsView& points, SiteGeometry& geometry);
 
 }  // namespace filmsticking

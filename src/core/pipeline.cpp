@@ -273,7 +273,7 @@ std::vector<double> Pipeline::film_belief(const GuidingSurface& film) const {
   return winding_belief(film);
 }
 
-GuidingSurface Pipeline::around_one_tetrahedron(PointsView points) {
+GuidingSurface Pipeline::around_one_tetrahedron(const PointsView& points) {
   monitor_.enter("manifold", monitor_.share());
   std::size_t fattest = 0;
   double most = 0;

@@ -28,7 +28,7 @@ class Pipeline {
   /// The last resort, after run(): the tetrahedron of largest volume, and what sites it reaches. Closed
   /// manifold of sites that encloses it; empty only if all tetrahedra are flat. `points`: what the sites were
   /// made of.
-  GuidingSurface around_one_tetrahedron(PointsView points);
+  GuidingSurface around_one_tetrahedron(const PointsView& points);
 
  private:
   struct Candidate {

@@ -143,7 +143,7 @@ void describe_result(Result& result, const SurfaceTopology& topology) {
   report.genus = (2 * report.components - euler - report.boundary_loops) / 2;
 }
 
-void run(PointsView points, const Options& options, const Execution& execution,
+void run(const PointsView& points, const Options& options, const Execution& execution,
          Result& result) {
   Report& report = result.report;
   report.points = static_cast<std::int64_t>(points.size());
@@ -249,7 +249,7 @@ const char* describe(Status status) noexcept {
   return "unknown status";
 }
 
-Result reconstruct(PointsView points, const Options& options,
+Result reconstruct(const PointsView& points, const Options& options,
                    const Execution& execution) noexcept {
   const auto start = std::chrono::steady_clock::now();
   Result result;

@@ -103,7 +103,7 @@ AxisTurn canonical_turn(const std::vector<Vec3>& points) {
 
 }  // namespace
 
-SiteSet make_site_set(PointsView points) {
+SiteSet make_site_set(const PointsView& points) {
   SiteSet set;
   struct Entry {
     std::uint64_t code;
@@ -173,7 +173,7 @@ SiteSet make_site_set(PointsView points) {
   return set;
 }
 
-bool SiteSet::coplanar(PointsView points) const {
+bool SiteSet::coplanar(const PointsView& points) const {
   auto farthest = [&](auto&& distance) {
     std::size_t best = 0;
     double most = -1;

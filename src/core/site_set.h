@@ -39,9 +39,9 @@ struct SiteSet {
 
   std::size_t size() const { return perturbed.size(); }
     /// Do all sites lie on one plane, line or point, but for rounding to float? `points`: what they were made of.
-  bool coplanar(PointsView points) const;
+  bool coplanar(const PointsView& points) const;
   /// Where a site is that is not perturbed, of the points that it was made of.
-  Vec3 exact(PointsView points, std::size_t site) const {
+  Vec3 exact(const PointsView& points, std::size_t site) const {
     return to_unit(points[static_cast<std::size_t>(input[site])]);
   }
 
@@ -60,6 +60,6 @@ constexpr double kPerturbation = 2e-8;
 /// Never fails; fewer sites than points, perhaps none. The order and the perturbation depend on the
 /// coordinates alone, so that the order of the input does not matter; nor do a turn by 90 degrees (unless it
 /// takes the cloud to itself), a scale by a power of two, and a move that rounds nothing.
-SiteSet make_site_set(PointsView points);
+SiteSet make_site_set(const PointsView& points);
 
 }  // namespace filmsticking
