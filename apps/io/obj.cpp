@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "faces.h"
 #include "io_error.h"
 #include "number_text.h"
 #include "text_scanner.h"
@@ -23,7 +24,7 @@ std::vector<std::int32_t> read_corners(TextScanner& line, std::size_t vertices) 
     long long index = 0;
     if (!parse_integer(word.substr(0, word.find('/')), index)) throw IoError("a face in it is not numbers");
     index += index < 0 ? static_cast<long long>(vertices) : -1;
-    if (index < 0 || index > INT32_MAX) throw IoError("a face in it names a vertex that does not exist");
+    if (index < 0 || index > INT32_MAX) throw_no_vertex();
     corners.push_back(static_cast<std::int32_t>(index));
   }
   return corners;
@@ -49,16 +50,11 @@ Model decode_obj(std::string_view bytes) {
       if (const std::size_t n = more.size(); n >= 3)  // a fourth number alone is a weight
         model.colours.push_back({to_byte(more[n - 3]), to_byte(more[n - 2]), to_byte(more[n - 1])});
     } else if (keyword == "f") {
-      const std::vector<std::int32_t> corners = read_corners(line, model.positions.size());
-      for (std::size_t k = 2; k < corners.size(); ++k)
-        model.triangles.push_back({corners[0], corners[k - 1], corners[k]});
+      append_polygon(read_corners(line, model.positions.size()), model);
     }
   }
   if (model.colours.size() != model.positions.size()) model.colours.clear();
-  const auto vertices = static_cast<std::int32_t>(model.positions.size());
-  for (const Triangle& triangle : model.triangles)
-    for (const std::int32_t corner : triangle)
-      if (corner >= vertices) throw IoError("a face in it names a vertex that does not exist");
+  check_corners(model);
   return model;
 }
 

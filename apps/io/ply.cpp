@@ -5,6 +5,7 @@
 #include <cstring>
 #include <map>
 
+#include "faces.h"
 #include "float_exact.h"
 #include "io_error.h"
 #include "scalar.h"
@@ -143,8 +144,6 @@ class Body {
   TextScanner text_;
 };
 
-[[noreturn]] void throw_no_vertex() { throw IoError("a face in it names a vertex that does not exist"); }
-
 void read_vertices(Body& body, const Element& element, Model& model) {
   enum Role { X, Y, Z, Red, Green, Blue, kRoles, Other = kRoles };
   static const std::map<std::string_view, Role> roles = {{"x", X},
@@ -199,19 +198,10 @@ void read_faces(Body& body, const Element& element, Model& model) {
       corners.clear();
       for (std::size_t r = 0; r < repeats; ++r) {
         const double value = body.value(property.type);
-        if (!is_face) continue;
-        if (!(value >= 0 && value < INT32_MAX)) throw_no_vertex();
-        corners.push_back(static_cast<std::int32_t>(value));
+        if (is_face) corners.push_back(corner_index(value));
       }
-      for (std::size_t k = 2; k < corners.size(); ++k)
-        model.triangles.push_back({corners[0], corners[k - 1], corners[k]});
+      append_polygon(corners, model);
     }
-}
-
-void check_corners(const Model& model) {
-  for (const Triangle& triangle : model.triangles)
-    for (const std::int32_t corner : triangle)
-      if (static_cast<std::size_t>(corner) >= model.positions.size()) throw_no_vertex();
 }
 
 void skip(Body& body, const Element& element) {

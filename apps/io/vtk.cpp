@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "faces.h"
 #include "io_error.h"
 #include "scalar.h"
 #include "text_scanner.h"
@@ -138,9 +139,7 @@ class Decoder {
       } else if (keyword == "vertices" || keyword == "lines") {
         cells([](const std::vector<std::int32_t>&) {});
       } else if (keyword == "polygons") {
-        cells([&](const std::vector<std::int32_t>& c) {
-          for (std::size_t k = 2; k < c.size(); ++k) model_.triangles.push_back({c[0], c[k - 1], c[k]});
-        });
+        cells([&](const std::vector<std::int32_t>& c) { append_polygon(c, model_); });
       } else if (keyword == "triangle_strips") {
         cells([&](const std::vector<std::int32_t>& c) {
           for (std::size_t k = 2; k < c.size(); ++k)  // every other one is turned around
@@ -159,19 +158,13 @@ class Decoder {
         attribute(keyword);
       }
     }
-    for (const Triangle& triangle : model_.triangles)
-      for (const std::int32_t corner : triangle)
-        if (static_cast<std::size_t>(corner) >= model_.positions.size()) throw_no_vertex();
+    check_corners(model_);
     if (!model_.colours.empty() && model_.colours.size() != model_.positions.size())
       throw IoError("it does not have a colour a point");
     return std::move(model_);
   }
 
  private:
-  [[noreturn]] static void throw_no_vertex() {
-    throw IoError("a face in it names a vertex that does not exist");
-  }
-
   void header() {
     constexpr std::string_view kMagic = "# vtk datafile version ";
     const std::string magic = lower(body_.line());
@@ -201,11 +194,6 @@ class Decoder {
     });
   }
 
-  static std::int32_t corner(double value) {
-    if (!(value >= 0 && value < INT32_MAX)) throw_no_vertex();
-    return static_cast<std::int32_t>(value);
-  }
-
   /// Calls use(corners) for each. From version 5 on, their corners in a row and where each begins, and the
   /// end; before, each with its number of corners ahead of them.
   template <class Use>
@@ -220,7 +208,7 @@ class Decoder {
         const auto begin = all.begin() + static_cast<std::ptrdiff_t>(at) + 1;
         const auto end = begin + static_cast<std::ptrdiff_t>(all[at]);
         corners.clear();
-        std::transform(begin, end, std::back_inserter(corners), corner);
+        std::transform(begin, end, std::back_inserter(corners), corner_index);
         use(corners);
         at = static_cast<std::size_t>(end - all.begin());
       }
@@ -241,7 +229,7 @@ class Decoder {
       corners.clear();
       std::transform(all.begin() + static_cast<std::ptrdiff_t>(offsets[i]),
                      all.begin() + static_cast<std::ptrdiff_t>(offsets[i + 1]), std::back_inserter(corners),
-                     corner);
+                     corner_index);
       use(corners);
     }
   }

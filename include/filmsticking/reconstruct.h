@@ -47,6 +47,7 @@ struct Result {
 /// to 20, those of points on two curves the square of their number.
 FILMSTICKING_EXPORT Result reconstruct(const PointsView& points, const Options& options = {},
                                        const Execution& execution = {}) noexcept;
+/// The same; so that points in braces are a vector, too.
 inline Result reconstruct(const std::vector<Point>& points, const Options& options = {},
                           const Execution& execution = {}) noexcept {
   return reconstruct(PointsView(points), options, execution);

@@ -150,14 +150,12 @@ SiteSet make_site_set(const PointsView& points) {
   set.duplicates = std::distance(distinct, entries.end());
   entries.erase(distinct, entries.end());
 
-  std::vector<Vec3>& unturned = set.perturbed;  // for the time being
-  unturned.resize(entries.size());
+  set.perturbed.resize(entries.size());  // neither turned nor perturbed yet
   parallel_each(entries.size(), [&](std::size_t i) {
-    unturned[i] = set.to_unit(points[static_cast<std::size_t>(entries[i].id)]);
+    set.perturbed[i] = set.to_unit(points[static_cast<std::size_t>(entries[i].id)]);
   });
-  set.turn = canonical_turn(unturned);
+  set.turn = canonical_turn(set.perturbed);
   sort_entries();
-  set.perturbed.resize(entries.size());
   set.input.resize(entries.size());
   parallel_each(entries.size(), [&](std::size_t i) {
     set.input[i] = entries[i].id;

@@ -297,7 +297,7 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   /** \brief Prepare the indices; false, with the status set, if the input cannot be used. */
   bool checkInput();
 
-  /** \brief The mesh of the indexed points, which are read where they lie. */
+  /** \brief The mesh of the indexed points, which are read where they lie if x, y and z are floats in a row. */
   filmsticking::Result computeResult(const filmsticking::Execution& execution) const;
 
   /** \brief Set a failure and report it by PCL_ERROR. */

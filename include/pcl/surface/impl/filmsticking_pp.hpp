@@ -147,14 +147,16 @@ void pcl::FilmstickingPP<PointInT>::performReconstruction(pcl::PointCloud<PointI
 }
 
 template <typename PointInT>
-filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResult(const filmsticking::Execution& execution) const {
-  if constexpr (std::is_same_v<pcl::index_t, std::int32_t> &&
-                std::is_same_v<decltype(PointInT::x), float> && std::is_same_v<decltype(PointInT::z), float>) {
-    if (input_->empty()) return filmsticking::reconstruct(std::vector<filmsticking::Point>(), options_, execution);
-    const PointInT& first = input_->points.front();
-    if (&first.y == &first.x + 1 && &first.z == &first.x + 2)  // as in PCL's own types: read where they lie
-      return filmsticking::reconstruct(
-          filmsticking::PointsView(&first.x, sizeof(PointInT), input_->size()).at(*indices_), options_, execution);
+filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResult(
+    const filmsticking::Execution& execution) const {
+  if constexpr (std::is_same_v<pcl::index_t, std::int32_t> && std::is_same_v<decltype(PointInT::x), float> &&
+                std::is_same_v<decltype(PointInT::y), float> && std::is_same_v<decltype(PointInT::z), float>) {
+    const PointInT* first = input_->points.data();
+    // As in PCL's own types.
+    if (!input_->empty() && &first->y == &first->x + 1 && &first->z == &first->x + 2) {
+      const filmsticking::PointsView cloud(&first->x, sizeof(PointInT), input_->size());
+      return filmsticking::reconstruct(cloud.at(*indices_), options_, execution);
+    }
   }
   std::vector<filmsticking::Point> positions;
   positions.reserve(indices_->size());
