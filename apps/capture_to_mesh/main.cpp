@@ -6,6 +6,7 @@
 #include <cinttypes>
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
 #include "capture/accumulator.h"
 #include "capture/background_mesher.h"
@@ -215,11 +216,12 @@ int run(const CommandLine& command) {
     result = reconstruct(cloud.positions, command.options, execution);
   }
   if (result.status != Status::Ok) throw capture::CaptureError(reason(result));
-  with_file(command.output, [&] { io::write_model(command.output, mesh_model(cloud, result)); });
+  const std::size_t points = cloud.positions.size();
+  with_file(command.output, [&] { io::write_model(command.output, mesh_model(std::move(cloud), result)); });
 
   std::printf("frames  %zu used, %zu left out%s\n", accumulator.placed().size(),
               accumulator.left_out() + unread, stop_asked ? ", interrupted" : "");
-  std::printf("cloud   %zu points, one a cell of %.3g\n", cloud.positions.size(), accumulator.leaf());
+  std::printf("cloud   %zu points, one a cell of %.3g\n", points, accumulator.leaf());
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   std::printf("%stook    %s\n", mesh_summary(result, command.output).c_str(), cost_summary(seconds).c_str());
   return 0;

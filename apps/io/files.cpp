@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "files.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 
 #include "io_error.h"
+#include "new_file.h"
 
 namespace fs = std::filesystem;
 
@@ -30,39 +30,6 @@ fs::path folder_of(const fs::path& path) {
 }
 
 std::int64_t bound_of(std::int64_t most) { return most > 0 ? most : most_bytes_read(); }
-
-std::error_code last_error() { return {errno, std::generic_category()}; }
-
-std::error_code write_all(int file, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t size = write(file, bytes.data(), bytes.size());
-    if (size < 0 && errno != EINTR) return last_error();
-    bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
-  }
-  return {};
-}
-
-/// Writes a new file that has no name before it is whole, so that nothing is left of it if the process is
-/// killed. False without an error where the file system does not know such files.
-bool write_unnamed(const fs::path& path, std::string_view bytes, std::error_code& error) {
-  const int file = open(folder_of(path).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
-  if (file < 0) return false;
-  error = write_all(file, bytes);
-  unlink(path.c_str());
-  const std::string name = "/proc/self/fd/" + std::to_string(file);
-  const bool is_named =
-      !error && linkat(AT_FDCWD, name.c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0;
-  if (close(file) != 0 && !error) error = last_error();
-  return is_named && !error;
-}
-
-bool write_named(const fs::path& path, std::string_view bytes, std::error_code& error) {
-  unlink(path.c_str());
-  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (file >= 0) error = write_all(file, bytes);
-  if ((file < 0 || close(file) != 0) && !error) error = last_error();
-  return !error;
-}
 
 [[noreturn]] void throw_large(std::int64_t most) {
   throw IoError("it is larger than " + std::to_string(most / 1000000) + " MB, the most that is read");
@@ -135,18 +102,19 @@ void check_writable(const std::string& path) {
   if (access(folder_of(target).c_str(), W_OK) != 0) throw IoError("its folder cannot be written to");
 }
 
-void write_file(const std::string& path, std::string_view bytes) {
+void write_file(const std::string& path, const std::function<void(const ByteSink&)>& fill) {
   check_writable(path);
-  const fs::path target = target_of(path);
-  const fs::path temporary =
-      folder_of(target) / ("." + target.filename().string() + "." + std::to_string(getpid()) + ".tmp");
-  std::error_code error;
-  if (write_unnamed(temporary, bytes, error) || (!error && write_named(temporary, bytes, error)))
-    fs::rename(temporary, target, error);
-  if (!error) return;
-  const std::string reason = error.message();
-  fs::remove(temporary, error);
-  throw IoError("it cannot be written: " + reason);
+  try {
+    NewFile file(target_of(path));
+    fill([&](std::string_view bytes) { file.append(bytes); });
+    file.commit();
+  } catch (const std::system_error& error) {
+    throw IoError("it cannot be written: " + error.code().message());
+  }
+}
+
+void write_file(const std::string& path, std::string_view bytes) {
+  write_file(path, [&](const ByteSink& sink) { sink(bytes); });
 }
 
 }  // namespace filmsticking::io

@@ -3,8 +3,11 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
+
+#include "byte_writer.h"
 
 namespace filmsticking::io {
 
@@ -32,8 +35,10 @@ void write_standard_output(std::string_view bytes);
 /// Refuses a path that write_file() could not replace, so that it is known before the work. Throws IoError.
 void check_writable(const std::string& path);
 
-/// Writes a new file or replaces a regular one; whatever happens, no half-written file has its name.
-/// Throws IoError.
+/// Writes a new file or replaces a regular one with what `fill` sends; whatever happens, no half-written file
+/// has its name. Throws IoError, and what `fill` throws.
+void write_file(const std::string& path, const std::function<void(const ByteSink&)>& fill);
+/// The same with bytes that are there already.
 void write_file(const std::string& path, std::string_view bytes);
 
 }  // namespace filmsticking::io

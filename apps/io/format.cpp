@@ -12,7 +12,6 @@
 #include "stl.h"
 #include "text_scanner.h"
 #include "vtk.h"
-#include "vtk_polydata.h"
 #include "xyz.h"
 
 namespace filmsticking::io {
@@ -76,13 +75,28 @@ Model decode_cloud(const std::string& format, std::string_view bytes) {
   throw IoError("there is no format '" + format + "' for points");
 }
 
+void encode_model(const std::string& format, const Model& model, const ByteSink& sink) {
+  ByteWriter out(sink);
+  if (format == "ply") {
+    encode_ply(model, out);
+  } else if (format == "obj") {
+    encode_obj(model, out);
+  } else if (format == "stl") {
+    encode_stl(model, out);
+  } else if (format == "vtk") {
+    encode_vtk(model, out);
+  } else if (format == "glb") {
+    encode_glb(model, out);
+  } else {
+    throw IoError("there is no format '" + format + "' for meshes");
+  }
+  out.flush();
+}
+
 std::string encode_model(const std::string& format, const Model& model) {
-  if (format == "ply") return encode_ply(model);
-  if (format == "obj") return encode_obj(model);
-  if (format == "stl") return encode_stl(model);
-  if (format == "vtk") return encode_vtk(model);
-  if (format == "glb") return encode_glb(model);
-  throw IoError("there is no format '" + format + "' for meshes");
+  std::string bytes;
+  encode_model(format, model, [&](std::string_view piece) { bytes += piece; });
+  return bytes;
 }
 
 }  // namespace filmsticking::io

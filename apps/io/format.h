@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "byte_writer.h"
 #include "model.h"
 
 namespace filmsticking::io {
@@ -22,8 +23,10 @@ std::string detect_format(std::string_view bytes);
 /// Points, and triangles if any, of a format of cloud_formats() or vtk. Throws IoError.
 Model decode_cloud(const std::string& format, std::string_view bytes);
 
-/// The bytes of a file of a format of mesh_formats(). Every coordinate reads back as the same number, but for
-/// glb. Throws IoError.
+/// Sends the bytes of a file of a format of mesh_formats(). Every coordinate reads back as the same number,
+/// but for glb. Throws IoError, at a model that the format cannot hold before anything is sent.
+void encode_model(const std::string& format, const Model& model, const ByteSink& sink);
+/// The same bytes in one piece.
 std::string encode_model(const std::string& format, const Model& model);
 
 }  // namespace filmsticking::io

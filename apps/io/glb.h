@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "byte_writer.h"
 #include "model.h"
 
 namespace filmsticking::io {
@@ -11,6 +12,6 @@ namespace filmsticking::io {
 /// them. Its coordinates have single precision; where that is not enough, they count from the middle of the
 /// box, to which the mesh's node is moved. Throws IoError for a model that has no triangles, or a coordinate
 /// that is not finite or out of range.
-std::string encode_glb(const Model& model);
+void encode_glb(const Model& model, ByteWriter& out);
 
 }  // namespace filmsticking::io

@@ -57,7 +57,8 @@ bool can_write_model(const std::string& path) {
 }
 
 void write_model(const std::string& path, const Model& model) {
-  write_file(path, encode_model(format_of(path, mesh_formats()), model));
+  const std::string format = format_of(path, mesh_formats());
+  write_file(path, [&](const ByteSink& sink) { encode_model(format, model, sink); });
 }
 
 }  // namespace filmsticking::io

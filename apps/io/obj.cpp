@@ -58,30 +58,30 @@ Model decode_obj(std::string_view bytes) {
   return model;
 }
 
-std::string encode_obj(const Model& model) {
-  std::string text;
-  for (std::size_t i = 0; i < model.positions.size(); ++i) {
-    text += "v";
-    for (const double x : model.positions[i]) {
-      text += ' ';
-      append_number(text, x);  // as double: readers may take the text for either precision
-    }
-    if (!model.colours.empty())
-      for (const std::uint8_t channel : model.colours[i]) {
+void encode_obj(const Model& model, ByteWriter& out) {
+  for (std::size_t i = 0; i < model.positions.size(); ++i)
+    out.add([&](std::string& text) {
+      text += "v";
+      for (const double x : model.positions[i]) {
         text += ' ';
-        append_number(text, static_cast<float>(channel) / 255);
+        append_number(text, x);  // as double: readers may take the text for either precision
       }
-    text += '\n';
-  }
-  for (const Triangle& triangle : model.triangles) {
-    text += "f";
-    for (const std::int32_t corner : triangle) {
-      text += ' ';
-      append_number(text, corner + 1);
-    }
-    text += '\n';
-  }
-  return text;
+      if (!model.colours.empty())
+        for (const std::uint8_t channel : model.colours[i]) {
+          text += ' ';
+          append_number(text, static_cast<float>(channel) / 255);
+        }
+      text += '\n';
+    });
+  for (const Triangle& triangle : model.triangles)
+    out.add([&](std::string& text) {
+      text += "f";
+      for (const std::int32_t corner : triangle) {
+        text += ' ';
+        append_number(text, corner + 1);
+      }
+      text += '\n';
+    });
 }
 
 }  // namespace filmsticking::io

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "byte_writer.h"
 #include "model.h"
 
 namespace filmsticking::io {
@@ -13,6 +14,6 @@ namespace filmsticking::io {
 Model decode_obj(std::string_view bytes);
 
 /// A Wavefront OBJ file; every coordinate in the shortest text that reads back as the same number.
-std::string encode_obj(const Model& model);
+void encode_obj(const Model& model, ByteWriter& out);
 
 }  // namespace filmsticking::io

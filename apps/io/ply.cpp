@@ -235,36 +235,37 @@ Model decode_ply(std::string_view bytes) {
   return model;
 }
 
-std::string encode_ply(const Model& model) {
+void encode_ply(const Model& model, ByteWriter& out) {
   const bool single = float_exact(model.positions);
   const char* type = single ? "float" : "double";
-  std::string bytes =
+  std::string header =
       "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(model.positions.size()) + "\n";
-  for (const char* axis : {"x", "y", "z"}) bytes += std::string("property ") + type + " " + axis + "\n";
+  for (const char* axis : {"x", "y", "z"}) header += std::string("property ") + type + " " + axis + "\n";
   if (!model.colours.empty())
     for (const char* channel : {"red", "green", "blue"})
-      bytes += std::string("property uchar ") + channel + "\n";
+      header += std::string("property uchar ") + channel + "\n";
   if (!model.triangles.empty())
-    bytes += "element face " + std::to_string(model.triangles.size()) +
-             "\nproperty list uchar int vertex_indices\n";
-  bytes += "end_header\n";
+    header += "element face " + std::to_string(model.triangles.size()) +
+              "\nproperty list uchar int vertex_indices\n";
+  out.append(header + "end_header\n");
 
-  for (std::size_t i = 0; i < model.positions.size(); ++i) {
-    for (const double x : model.positions[i]) {
-      if (single) {
-        append(bytes, static_cast<float>(x));
-      } else {
-        append(bytes, x);
+  for (std::size_t i = 0; i < model.positions.size(); ++i)
+    out.add([&](std::string& bytes) {
+      for (const double x : model.positions[i]) {
+        if (single) {
+          append(bytes, static_cast<float>(x));
+        } else {
+          append(bytes, x);
+        }
       }
-    }
-    if (!model.colours.empty())
-      for (const std::uint8_t channel : model.colours[i]) append(bytes, channel);
-  }
-  for (const Triangle& triangle : model.triangles) {
-    append(bytes, std::uint8_t{3});
-    for (const std::int32_t corner : triangle) append(bytes, corner);
-  }
-  return bytes;
+      if (!model.colours.empty())
+        for (const std::uint8_t channel : model.colours[i]) append(bytes, channel);
+    });
+  for (const Triangle& triangle : model.triangles)
+    out.add([&](std::string& bytes) {
+      append(bytes, std::uint8_t{3});
+      for (const std::int32_t corner : triangle) append(bytes, corner);
+    });
 }
 
 }  // namespace filmsticking::io

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "byte_writer.h"
 #include "model.h"
 
 namespace filmsticking::io {
@@ -13,6 +14,6 @@ namespace filmsticking::io {
 Model decode_ply(std::string_view bytes);
 
 /// A binary little-endian PLY file; coordinates are float where that keeps every value, else double.
-std::string encode_ply(const Model& model);
+void encode_ply(const Model& model, ByteWriter& out);
 
 }  // namespace filmsticking::io

@@ -23,18 +23,18 @@ Point unit_normal(const Point& a, const Point& b, const Point& c) {
   return n;
 }
 
-std::string encode_binary(const Model& model) {
-  std::string bytes(80, '\0');
-  append(bytes, static_cast<std::uint32_t>(model.triangles.size()));
-  for (const Triangle& t : model.triangles) {
-    const Point corners[3] = {model.positions[t[0]], model.positions[t[1]], model.positions[t[2]]};
-    for (const double x : unit_normal(corners[0], corners[1], corners[2]))
-      append(bytes, static_cast<float>(x));
-    for (const Point& corner : corners)
-      for (const double x : corner) append(bytes, static_cast<float>(x));
-    append(bytes, std::uint16_t{0});
-  }
-  return bytes;
+void encode_binary(const Model& model, ByteWriter& out) {
+  out.append(std::string(80, '\0'));
+  out.add([&](std::string& bytes) { append(bytes, static_cast<std::uint32_t>(model.triangles.size())); });
+  for (const Triangle& t : model.triangles)
+    out.add([&](std::string& bytes) {
+      const Point corners[3] = {model.positions[t[0]], model.positions[t[1]], model.positions[t[2]]};
+      for (const double x : unit_normal(corners[0], corners[1], corners[2]))
+        append(bytes, static_cast<float>(x));
+      for (const Point& corner : corners)
+        for (const double x : corner) append(bytes, static_cast<float>(x));
+      append(bytes, std::uint16_t{0});
+    });
 }
 
 void append_point(std::string& text, const Point& p) {
@@ -45,20 +45,21 @@ void append_point(std::string& text, const Point& p) {
   text += '\n';
 }
 
-std::string encode_text(const Model& model) {
-  std::string text = "solid\n";
-  for (const Triangle& t : model.triangles) {
-    const Point corners[3] = {model.positions[t[0]], model.positions[t[1]], model.positions[t[2]]};
-    text += "facet normal";
-    append_point(text, unit_normal(corners[0], corners[1], corners[2]));
-    text += "outer loop\n";
-    for (const Point& corner : corners) {
-      text += "vertex";
-      append_point(text, corner);
-    }
-    text += "endloop\nendfacet\n";
-  }
-  return text + "endsolid\n";
+void encode_text(const Model& model, ByteWriter& out) {
+  out.append("solid\n");
+  for (const Triangle& t : model.triangles)
+    out.add([&](std::string& text) {
+      const Point corners[3] = {model.positions[t[0]], model.positions[t[1]], model.positions[t[2]]};
+      text += "facet normal";
+      append_point(text, unit_normal(corners[0], corners[1], corners[2]));
+      text += "outer loop\n";
+      for (const Point& corner : corners) {
+        text += "vertex";
+        append_point(text, corner);
+      }
+      text += "endloop\nendfacet\n";
+    });
+  out.append("endsolid\n");
 }
 
 /// Puts triangles together from their corners; equal corners become one vertex.
@@ -128,8 +129,12 @@ Model decode_stl(std::string_view bytes) {
   throw IoError("it is not a whole STL file");
 }
 
-std::string encode_stl(const Model& model) {
-  return float_exact(model.positions) ? encode_binary(model) : encode_text(model);
+void encode_stl(const Model& model, ByteWriter& out) {
+  if (float_exact(model.positions)) {
+    encode_binary(model, out);
+  } else {
+    encode_text(model, out);
+  }
 }
 
 }  // namespace filmsticking::io

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "byte_writer.h"
 #include "model.h"
 
 namespace filmsticking::io {
@@ -12,6 +13,6 @@ namespace filmsticking::io {
 Model decode_stl(std::string_view bytes);
 
 /// An STL file: binary where single precision, all that it has, keeps every coordinate; else text.
-std::string encode_stl(const Model& model);
+void encode_stl(const Model& model, ByteWriter& out);
 
 }  // namespace filmsticking::io

@@ -314,8 +314,38 @@ class Decoder {
   bool of_points_ = false;             // or else of cells
 };
 
+template <typename Number>
+void append_big_endian(std::string& bytes, Number number) {
+  append(bytes, number);
+  std::reverse(bytes.end() - sizeof number, bytes.end());
+}
+
 }  // namespace
 
 Model decode_vtk(std::string_view bytes) { return Decoder(bytes).decode(); }
+
+void encode_vtk(const Model& model, ByteWriter& out) {
+  const std::size_t triangles = model.triangles.size();
+  out.append("# vtk DataFile Version 4.2\nvtk output\nBINARY\nDATASET POLYDATA\n");
+  out.append("POINTS " + std::to_string(model.positions.size()) + " double\n");
+  for (const Point& position : model.positions)
+    out.add([&](std::string& bytes) {
+      for (const double x : position) append_big_endian(bytes, x);
+    });
+  out.append("\n");
+  if (triangles > 0)
+    out.append("POLYGONS " + std::to_string(triangles) + " " + std::to_string(4 * triangles) + "\n");
+  for (const Triangle& triangle : model.triangles)
+    out.add([&](std::string& bytes) {
+      append_big_endian(bytes, std::int32_t{3});
+      for (const std::int32_t corner : triangle) append_big_endian(bytes, corner);
+    });
+  if (triangles > 0) out.append("\n");
+  if (model.colours.empty()) return;
+  out.append("POINT_DATA " + std::to_string(model.colours.size()) + "\nCOLOR_SCALARS RGB 3\n");
+  for (const Colour& colour : model.colours)
+    out.add([&](std::string& bytes) { bytes.append(colour.begin(), colour.end()); });
+  out.append("\n");
+}
 
 }  // namespace filmsticking::io

@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "byte_writer.h"
 #include "model.h"
 
 namespace filmsticking::io {
@@ -12,5 +13,8 @@ namespace filmsticking::io {
 /// bytes, or COLOR_SCALARS. All else is passed over. The source of the format is "VTK File Formats" of the
 /// VTK User's Guide. Throws IoError.
 Model decode_vtk(std::string_view bytes);
+
+/// A binary legacy VTK file (version 4.2, which all readers know) with double coordinates.
+void encode_vtk(const Model& model, ByteWriter& out);
 
 }  // namespace filmsticking::io

@@ -5,10 +5,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkPolyDataWriter.h>
 #include <vtkUnsignedCharArray.h>
-
-#include "io_error.h"
 
 namespace filmsticking::io {
 
@@ -34,16 +31,6 @@ vtkSmartPointer<vtkPolyData> to_polydata(const Model& model) {
     data->GetPointData()->SetScalars(colours);
   }
   return data;
-}
-
-std::string encode_vtk(const Model& model) {
-  vtkNew<vtkPolyDataWriter> writer;
-  writer->SetInputData(to_polydata(model));
-  writer->SetFileTypeToBinary();
-  writer->SetFileVersion(vtkDataWriter::VTK_LEGACY_READER_VERSION_4_2);
-  writer->WriteToOutputStringOn();
-  if (!writer->Write()) throw IoError("VTK could not encode the mesh");
-  return writer->GetOutputStdString();
 }
 
 }  // namespace filmsticking::io

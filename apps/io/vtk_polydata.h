@@ -4,16 +4,11 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include <string>
-
 #include "model.h"
 
 namespace filmsticking::io {
 
 /// The same points, colours and triangles for VTK, in double precision.
 vtkSmartPointer<vtkPolyData> to_polydata(const Model& model);
-
-/// A binary legacy VTK file (version 4.2, which all readers know) with double coordinates. Throws IoError.
-std::string encode_vtk(const Model& model);
 
 }  // namespace filmsticking::io

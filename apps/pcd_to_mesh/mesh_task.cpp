@@ -6,6 +6,7 @@
 #include <chrono>
 #include <filesystem>
 #include <new>
+#include <utility>
 
 #include "common/mesh_model.h"
 #include "common/stop_signal.h"
@@ -56,7 +57,7 @@ void check_output(const Task& task, const CommandLine& command) {
 
 void write_output(const Task& task, const CommandLine& command, const io::Model& mesh) {
   if (task.output == kStandardStream) {
-    io::write_standard_output(io::encode_model(command.to, mesh));
+    io::encode_model(command.to, mesh, io::write_standard_output);
   } else {
     io::write_model(task.output, mesh);
   }
@@ -93,7 +94,7 @@ void run(const Task& task, const CommandLine& command, const Progress& progress,
   if (!dump.error().empty()) throw io::IoError(dump.error());
   outcome.interrupted = outcome.result.status == Status::Cancelled;
   if (outcome.result.status != Status::Ok) throw io::IoError(facts.input + ": " + reason(outcome.result));
-  with_file(facts.output, [&] { write_output(task, command, mesh_model(cloud, outcome.result)); });
+  with_file(facts.output, [&] { write_output(task, command, mesh_model(std::move(cloud), outcome.result)); });
 }
 
 }  // namespace

@@ -13,19 +13,19 @@ namespace filmsticking::stream {
 namespace {
 
 /// Filters and reconstructs; nothing is thrown.
-Outcome reconstruct_cloud(const io::Model& cloud, const filters::FilterOptions& filters,
-                          const Options& options, const std::atomic<bool>& cancel) noexcept {
+Outcome reconstruct_cloud(io::Model cloud, const filters::FilterOptions& filters, const Options& options,
+                          const std::atomic<bool>& cancel) noexcept {
   Outcome outcome;
   const auto begin = Mesher::Clock::now();
   try {
     outcome.points = static_cast<std::int64_t>(cloud.positions.size());
-    const io::Model filtered = filters.any() ? filters::filter(cloud, filters) : cloud;
+    if (filters.any()) cloud = filters::filter(cloud, filters);
     Execution execution;
     execution.cancel = &cancel;
-    Result result = reconstruct(filtered.positions, options, execution);
+    Result result = reconstruct(cloud.positions, options, execution);
     outcome.status = result.status;
     if (result.status == Status::Ok)
-      outcome.mesh = app::mesh_model(filtered, result);
+      outcome.mesh = app::mesh_model(std::move(cloud), result);
     else
       outcome.message = app::reason(result);
     outcome.report = std::move(result.report);
@@ -96,7 +96,8 @@ Mesher::Ticket Mesher::request_locked(bool at_once) {
 }
 
 void Mesher::work(Job& job, Ticket ticket, const std::atomic<bool>& cancel) {
-  auto outcome = std::make_shared<Outcome>(reconstruct_cloud(job.cloud, job.filters, job.options, cancel));
+  auto outcome =
+      std::make_shared<Outcome>(reconstruct_cloud(std::move(job.cloud), job.filters, job.options, cancel));
   outcome->origin = job.origin;
   outcome->ticket = ticket;
   const std::lock_guard publish_lock(publish_mutex_);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "io/files.h"
-#include "io/stl.h"
+#include "io/format.h"
 #include "scratch_folder.h"
 
 namespace filmsticking::test {
@@ -71,9 +71,9 @@ inline std::vector<Sample> samples() {
   io::Model mesh;
   for (const auto& p : xyz) mesh.positions.push_back({p[0], p[1], p[2]});
   for (const auto& face : faces) mesh.triangles.push_back({face[0], face[1], face[2]});
-  samples.push_back({"stl_binary", ".stl", io::encode_stl(mesh)});
+  samples.push_back({"stl_binary", ".stl", io::encode_model("stl", mesh)});
   mesh.positions[3][2] = 0.1;  // no float
-  samples.push_back({"stl_text", ".stl", io::encode_stl(mesh)});
+  samples.push_back({"stl_text", ".stl", io::encode_model("stl", mesh)});
   return samples;
 }
 

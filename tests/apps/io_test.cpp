@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "io/files.h"
+#include "io/format.h"
 #include "io/io_error.h"
 #include "io/model_file.h"
 #include "io/obj.h"
@@ -112,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip,
 
 TEST(Stl, SinglePrecisionIsBinaryAndKeepsEveryBit) {
   const Model model = tetrahedron(true);
-  const std::string bytes = io::encode_stl(model);
+  const std::string bytes = io::encode_model("stl", model);
   ASSERT_EQ(bytes.size(), 84u + 50u * model.triangles.size());
   for (std::size_t t = 0; t < model.triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -124,26 +125,26 @@ TEST(Stl, SinglePrecisionIsBinaryAndKeepsEveryBit) {
 
 TEST(Stl, DoublePrecisionIsTextAndKeepsEveryBit) {
   const Model model = tetrahedron(false);
-  const std::string bytes = io::encode_stl(model);
+  const std::string bytes = io::encode_model("stl", model);
   EXPECT_EQ(bytes.rfind("solid", 0), 0u);
   EXPECT_TRUE(same_bits(corners(io::decode_stl(bytes)), corners(model)));
 }
 
 TEST(Stl, EqualCornersBecomeOneVertex) {
-  const Model back = io::decode_stl(io::encode_stl(tetrahedron(true)));
+  const Model back = io::decode_stl(io::encode_model("stl", tetrahedron(true)));
   EXPECT_EQ(back.positions.size(), 4u);
   EXPECT_TRUE(same_bits(corners(back), corners(tetrahedron(true))));
 }
 
 TEST(Stl, ABinaryFileMayBeginWithSolid) {
-  std::string bytes = io::encode_stl(tetrahedron(true));
+  std::string bytes = io::encode_model("stl", tetrahedron(true));
   bytes.replace(0, 5, "solid");
   EXPECT_EQ(io::decode_stl(bytes).triangles.size(), 4u);
-  EXPECT_EQ(io::decode_stl(io::encode_stl(tetrahedron(true)) + "and more").triangles.size(), 4u);
+  EXPECT_EQ(io::decode_stl(io::encode_model("stl", tetrahedron(true)) + "and more").triangles.size(), 4u);
 }
 
 TEST(Stl, BrokenFilesAreRefused) {
-  const std::string binary = io::encode_stl(tetrahedron(true));
+  const std::string binary = io::encode_model("stl", tetrahedron(true));
   for (std::size_t size = 0; size < binary.size(); ++size)
     EXPECT_THROW(io::decode_stl(binary.substr(0, size)), IoError) << size;
   for (const char* text : {"solid\nendsolid\n", "solid\nvertex 0 0 0\nvertex 1 0 0\n",
@@ -152,11 +153,11 @@ TEST(Stl, BrokenFilesAreRefused) {
 }
 
 TEST(Ply, CoordinatesAreFloatWhereThatKeepsThem) {
-  EXPECT_NE(io::encode_ply(tetrahedron(true)).find("property float x"), std::string::npos);
-  EXPECT_NE(io::encode_ply(tetrahedron(false)).find("property double x"), std::string::npos);
+  EXPECT_NE(io::encode_model("ply", tetrahedron(true)).find("property float x"), std::string::npos);
+  EXPECT_NE(io::encode_model("ply", tetrahedron(false)).find("property double x"), std::string::npos);
   Model far;
   far.positions = {{1e300, 0, 0}};
-  EXPECT_TRUE(same_bits(io::decode_ply(io::encode_ply(far)).positions, far.positions));
+  EXPECT_TRUE(same_bits(io::decode_ply(io::encode_model("ply", far)).positions, far.positions));
 }
 
 TEST(RandomNumbers, ComeBackFromTextAndBinary) {
@@ -170,8 +171,8 @@ TEST(RandomNumbers, ComeBackFromTextAndBinary) {
       } while (!std::isfinite(x));
     model.positions.push_back(p);
   }
-  EXPECT_TRUE(same_bits(io::decode_ply(io::encode_ply(model)).positions, model.positions));
-  EXPECT_TRUE(same_bits(io::decode_obj(io::encode_obj(model)).positions, model.positions));
+  EXPECT_TRUE(same_bits(io::decode_ply(io::encode_model("ply", model)).positions, model.positions));
+  EXPECT_TRUE(same_bits(io::decode_obj(io::encode_model("obj", model)).positions, model.positions));
 }
 
 // ---- PLY
@@ -269,7 +270,7 @@ TEST(Ply, BrokenFilesAreRefused) {
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n",  // no y and z
   };
   for (const std::string& bytes : broken) EXPECT_THROW(io::decode_ply(bytes), IoError) << bytes;
-  const std::string whole = io::encode_ply(tetrahedron(false));
+  const std::string whole = io::encode_model("ply", tetrahedron(false));
   for (std::size_t size = 0; size < whole.size(); ++size)
     EXPECT_THROW(io::decode_ply(std::string_view(whole).substr(0, size)), IoError) << size;
 }
@@ -436,6 +437,26 @@ TEST(Pcd, BrokenFilesAreRefusedQuietly) {
 // ---- files
 // ------------------------------------------------------------------------------------------------------
 
+TEST(Formats, AMeshIsSentInPiecesOfItsSize) {
+  Model model;
+  for (int i = 0; i < 20000; ++i) {
+    model.positions.push_back({i / 3.0, 0.1 * (i % 7), -i / 7.0});
+    model.colours.push_back({static_cast<std::uint8_t>(i), 1, 2});
+    model.triangles.push_back({i, (i + 1) % 20000, (i + 2) % 20000});
+  }
+  for (const std::string& format : io::mesh_formats()) {
+    std::size_t most = 0;
+    std::string sent;
+    io::encode_model(format, model, [&](std::string_view piece) {
+      most = std::max(most, piece.size());
+      sent += piece;
+    });
+    EXPECT_GT(sent.size(), 400000u) << format;
+    EXPECT_LT(most, 70000u) << format;
+    EXPECT_EQ(sent, io::encode_model(format, model)) << format;
+  }
+}
+
 TEST(Files, WhatCannotBeReadIsSaid) {
   const ScratchFolder folder;
   write_text(folder / "empty.ply", "");
@@ -467,6 +488,22 @@ TEST(Files, AFileIsReplacedWholeThroughALink) {
   EXPECT_EQ(io::read_file(folder / "target.ply"), "new bytes");
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.ply"));
   EXPECT_EQ(folder.count(), 2u);
+}
+
+TEST(Files, WhatEndsHalfwayLeavesWhatWasThere) {
+  const ScratchFolder folder;
+  const auto write_half = [&] {
+    io::write_file(folder / "mesh.ply", [](const io::ByteSink& sink) {
+      sink("half of it");
+      throw IoError("enough");
+    });
+  };
+  EXPECT_THROW(write_half(), IoError);
+  EXPECT_EQ(folder.count(), 0u);
+  write_text(folder / "mesh.ply", "old");
+  EXPECT_THROW(write_half(), IoError);
+  EXPECT_EQ(folder.count(), 1u);
+  EXPECT_EQ(io::read_file(folder / "mesh.ply"), "old");
 }
 
 TEST(Files, WhatCannotBeWrittenIsRefused) {

@@ -18,6 +18,7 @@
 
 #include <string>
 
+#include "io/format.h"
 #include "io/io_error.h"
 #include "io/vtk_polydata.h"
 
@@ -92,6 +93,14 @@ vtkSmartPointer<vtkPolyData> laden() {
   data->GetCellData()->AddArray(array(numbers.Get(), "numbers", 1, data->GetNumberOfCells()));
   data->GetFieldData()->AddArray(array(field.Get(), "field", 2, 7));
   return data;
+}
+
+TEST(Vtk, IsWrittenAsVtkWritesIt) {
+  Model grey = square(), cloud = square();
+  grey.colours.clear();
+  cloud.triangles.clear();
+  for (const Model& model : {square(), grey, cloud})
+    EXPECT_EQ(io::encode_model("vtk", model), written(io::to_polydata(model), true, kVersions[0]));
 }
 
 TEST(Vtk, IsReadAsVtkWritesIt) {

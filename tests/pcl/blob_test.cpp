@@ -5,6 +5,7 @@
 #include <pcl/conversions.h>
 #include <pcl/surface/filmsticking_pp.h>
 
+#include <array>
 #include <cstring>
 
 #include "clouds.h"
@@ -115,6 +116,39 @@ TEST(Blob, MakesTheSurfaceThatItsCloudMakes) {
   ASSERT_EQ(polygons.size(), expected.size());
   for (std::size_t t = 0; t < polygons.size(); ++t) EXPECT_EQ(polygons[t].vertices, expected[t].vertices);
   EXPECT_EQ(from_blob.getVertexIndices(), from_cloud.getVertexIndices());
+}
+
+/// The fields x, y and z where `places` tells.
+PCLPointCloud2::Ptr with_coordinates_at(const PCLPointCloud2& blob, std::array<std::size_t, 3> places) {
+  PCLPointCloud2::Ptr moved(new PCLPointCloud2(blob));
+  for (std::size_t k = 0; k < 3; ++k) moved->fields[1 + k].offset = static_cast<pcl::uindex_t>(places[k]);
+  const std::size_t from[] = {kX, kY, kZ};
+  for (std::size_t i = 0; i < blob.width * blob.height; ++i)
+    for (std::size_t k = 0; k < 3; ++k) write(*moved, i, places[k], read<float>(blob, i, from[k]));
+  return moved;
+}
+
+TEST(Blob, IsReadWhereverItsCoordinatesLie) {
+  const auto blob = make_blob(20, 10);
+  Class filmsticking;
+  filmsticking.setInputBlob(blob);
+  EXPECT_EQ(filmsticking.getInputCloud(), nullptr);
+  pcl::PointCloud<PointXYZ> points, expected_points;
+  std::vector<pcl::Vertices> polygons, expected;
+  filmsticking.reconstruct(expected_points, expected);
+  ASSERT_EQ(expected.size(), 396u);
+  EXPECT_EQ(expected_points.header.frame_id, "scanner");
+  EXPECT_TRUE(expected_points.is_dense);
+  for (const std::array<std::size_t, 3>& places :
+       {std::array<std::size_t, 3>{kZ, kY, kX}, {kX, kRing, kZ}, {3, 7, 11}}) {
+    filmsticking.setInputBlob(with_coordinates_at(*blob, places));
+    filmsticking.reconstruct(points, polygons);
+    ASSERT_EQ(polygons.size(), expected.size());
+    for (std::size_t t = 0; t < polygons.size(); ++t) EXPECT_EQ(polygons[t].vertices, expected[t].vertices);
+    ASSERT_EQ(points.size(), expected_points.size());
+    for (std::size_t k = 0; k < points.size(); ++k)
+      EXPECT_EQ(points[k].getVector3fMap(), expected_points[k].getVector3fMap());
+  }
 }
 
 TEST(Blob, ACloudSetLaterTakesItsPlace) {

@@ -180,6 +180,11 @@ TEST(FilmstickingPP, BothOverloadsMakeTheSameSurface) {
   EXPECT_EQ(mesh.cloud.height, 1u);
   EXPECT_TRUE(mesh.cloud.is_dense);
   EXPECT_EQ(mesh.cloud.fields.size(), 7u);
+  pcl::PCLPointCloud2 expected;
+  pcl::toPCLPointCloud2(surface.points, expected);
+  EXPECT_EQ(mesh.cloud.data, expected.data);
+  EXPECT_EQ(mesh.cloud.point_step, expected.point_step);
+  EXPECT_EQ(mesh.cloud.row_step, expected.row_step);
   pcl::PointCloud<PointNormal> points;
   pcl::fromPCLPointCloud2(mesh.cloud, points);
   ASSERT_EQ(points.size(), surface.points.size());

@@ -90,8 +90,9 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   /** \brief Set the input as a blob, to keep fields that \a PointInT does not have.
    *
    * reconstruct(pcl::PolygonMesh&) then copies the bytes of every vertex and the layout of the fields from
-   * the blob. For all else, such as getInputCloud(), the blob is converted as by pcl::fromPCLPointCloud2().
-   * \param[in] blob points with fields x, y and z of type FLOAT32; another kind is refused by reconstruct()
+   * the blob; the other reconstruct() converts the vertices as pcl::fromPCLPointCloud2() does. The blob is
+   * read where it lies and must not change meanwhile; getInputCloud() is null. \param[in] blob points with
+   * fields x, y and z of type FLOAT32; another kind is refused by reconstruct()
    */
   void setInputBlob(const pcl::PCLPointCloud2::ConstPtr& blob);
 
@@ -264,8 +265,6 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   using SurfaceReconstruction<PointInT>::check_tree_;
   using SurfaceReconstruction<PointInT>::fake_indices_;
   using SurfaceReconstruction<PointInT>::use_indices_;
-  using SurfaceReconstruction<PointInT>::initCompute;
-  using SurfaceReconstruction<PointInT>::deinitCompute;
 
   /** \brief Reconstruct from an input that has been checked. */
   void performReconstruction(pcl::PolygonMesh& output) override;
@@ -297,14 +296,25 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   /** \brief Prepare the indices; false, with the status set, if the input cannot be used. */
   bool checkInput();
 
-  /** \brief The mesh of the indexed points, which are read where they lie if x, y and z are floats in a row. */
+  /** \brief Fill \a polygons and what getVertexIndices() and others tell; false, with the status set, if
+   * there is no surface.
+   */
+  bool computeTriangles(std::vector<pcl::Vertices>& polygons);
+
+  /** \brief The mesh of the indexed points, which are read where they lie if x, y and z are floats in a row.
+   */
   filmsticking::Result computeResult(const filmsticking::Execution& execution) const;
+
+  /** \brief The same of the blob's points. */
+  filmsticking::Result computeResultOfBlob(const filmsticking::Execution& execution) const;
+
+  /** \brief The header of the blob or cloud; an empty one if there is neither. */
+  pcl::PCLHeader inputHeader() const;
 
   /** \brief Set a failure and report it by PCL_ERROR. */
   void fail(Status status, const std::string& message);
 
   pcl::PCLPointCloud2::ConstPtr blob_;
-  std::string blob_fault_;     // why the blob cannot be read; empty: it can, or there is none
   std::string indices_fault_;  // why a window was refused; empty: it was not
 
   Options options_;

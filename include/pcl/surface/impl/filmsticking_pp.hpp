@@ -9,7 +9,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <limits>
 #include <new>
+#include <numeric>
 #include <pcl/impl/pcl_base.hpp>
 #include <pcl/surface/impl/filmsticking_pp_blob.hpp>
 #include <type_traits>
@@ -21,7 +23,6 @@
 template <typename PointInT>
 void pcl::FilmstickingPP<PointInT>::setInputCloud(const PointCloudConstPtr& cloud) {
   blob_.reset();
-  blob_fault_.clear();
   SurfaceReconstruction<PointInT>::setInputCloud(cloud);
 }
 
@@ -29,13 +30,6 @@ template <typename PointInT>
 void pcl::FilmstickingPP<PointInT>::setInputBlob(const pcl::PCLPointCloud2::ConstPtr& blob) {
   setInputCloud(nullptr);
   blob_ = blob;
-  if (!blob) return;
-  blob_fault_ = detail::blobFault(*blob);
-  if (!blob_fault_.empty()) return;
-  PointCloudPtr cloud(new PointCloud);
-  cloud->header = blob->header;
-  if (!blob->data.empty()) pcl::fromPCLPointCloud2(*blob, *cloud);
-  input_ = cloud;
 }
 
 template <typename PointInT>
@@ -67,13 +61,20 @@ template <typename PointInT>
 void pcl::FilmstickingPP<PointInT>::setIndices(std::size_t row_start, std::size_t col_start,
                                                std::size_t nb_rows, std::size_t nb_cols) {
   useAllPoints();
-  const std::size_t height = input_ ? input_->height : 0, width = input_ ? input_->width : 0;
+  const std::size_t height = blob_ ? blob_->height : input_ ? input_->height : 0;
+  const std::size_t width = blob_ ? blob_->width : input_ ? input_->width : 0;
   // No sums here: they could wrap around.
-  if (nb_rows > height || row_start > height - nb_rows || nb_cols > width || col_start > width - nb_cols)
+  if (nb_rows > height || row_start > height - nb_rows || nb_cols > width || col_start > width - nb_cols) {
     indices_fault_ = "the window of indices is not in the cloud of " + std::to_string(height) + " rows and " +
                      std::to_string(width) + " columns";
-  else
-    SurfaceReconstruction<PointInT>::setIndices(row_start, col_start, nb_rows, nb_cols);
+    return;
+  }
+  const pcl::IndicesPtr window(new pcl::Indices);
+  window->reserve(nb_rows * nb_cols);
+  for (std::size_t row = row_start; row < row_start + nb_rows; ++row)
+    for (std::size_t column = col_start; column < col_start + nb_cols; ++column)
+      window->push_back(static_cast<pcl::index_t>(row * width + column));
+  SurfaceReconstruction<PointInT>::setIndices(window);
 }
 
 template <typename PointInT>
@@ -83,7 +84,7 @@ void pcl::FilmstickingPP<PointInT>::reconstruct(pcl::PolygonMesh& output) {
   guarded([&] { performReconstruction(result); });
   if (status_ != Status::Ok) {
     result = pcl::PolygonMesh();
-    if (input_) result.header = result.cloud.header = input_->header;
+    result.header = result.cloud.header = inputHeader();
   }
   output = std::move(result);
 }
@@ -98,7 +99,7 @@ void pcl::FilmstickingPP<PointInT>::reconstruct(pcl::PointCloud<PointInT>& point
   if (status_ != Status::Ok) {
     result_points = pcl::PointCloud<PointInT>();
     result_polygons.clear();
-    if (input_) result_points.header = input_->header;
+    result_points.header = inputHeader();
   }
   points = std::move(result_points);
   polygons = std::move(result_polygons);
@@ -106,51 +107,60 @@ void pcl::FilmstickingPP<PointInT>::reconstruct(pcl::PointCloud<PointInT>& point
 
 template <typename PointInT>
 void pcl::FilmstickingPP<PointInT>::performReconstruction(pcl::PolygonMesh& output) {
-  pcl::PointCloud<PointInT> points;
-  performReconstruction(points, output.polygons);
-  output.header = points.header;
+  if (!computeTriangles(output.polygons)) return;
   if (blob_)
     detail::copyPoints(*blob_, vertex_indices_, output.cloud);
   else
-    pcl::toPCLPointCloud2(points, output.cloud);
+    detail::copyPoints(*input_, vertex_indices_, output.cloud);
+  output.header = output.cloud.header;
 }
 
 template <typename PointInT>
 void pcl::FilmstickingPP<PointInT>::performReconstruction(pcl::PointCloud<PointInT>& points,
                                                           std::vector<pcl::Vertices>& polygons) {
+  if (!computeTriangles(polygons)) return;
+  points.clear();
+  if (blob_) {
+    pcl::PCLPointCloud2 vertices;
+    detail::copyPoints(*blob_, vertex_indices_, vertices);
+    pcl::fromPCLPointCloud2(vertices, points);
+  } else {
+    points.header = input_->header;
+    points.sensor_origin_ = input_->sensor_origin_;
+    points.sensor_orientation_ = input_->sensor_orientation_;
+    points.reserve(vertex_indices_.size());
+    for (const pcl::index_t index : vertex_indices_) points.push_back((*input_)[index]);
+  }
+  points.is_dense = true;
+}
+
+template <typename PointInT>
+bool pcl::FilmstickingPP<PointInT>::computeTriangles(std::vector<pcl::Vertices>& polygons) {
   filmsticking::Execution execution;
   execution.progress = progress_callback_;
   execution.cancel = &cancel_.raised;
-  filmsticking::Result result = computeResult(execution);
+  filmsticking::Result result = blob_ ? computeResultOfBlob(execution) : computeResult(execution);
   report_ = std::move(result.report);
   if (result.status != Status::Ok) {
     fail(result.status, result.message.empty() ? filmsticking::describe(result.status) : result.message);
-    return;
+    return false;
   }
-
-  points.clear();
-  points.header = input_->header;
-  points.sensor_origin_ = input_->sensor_origin_;
-  points.sensor_orientation_ = input_->sensor_orientation_;
-  points.is_dense = true;
-  points.reserve(result.vertices.size());
   vertex_indices_.reserve(result.vertices.size());
-  for (const std::int32_t position : result.vertices) {
-    vertex_indices_.push_back((*indices_)[position]);
-    points.push_back((*input_)[vertex_indices_.back()]);
-  }
+  for (const std::int32_t position : result.vertices) vertex_indices_.push_back((*indices_)[position]);
   face_gaps_ = std::move(result.gaps);
   polygons.resize(result.triangles.size());
   for (std::size_t t = 0; t < polygons.size(); ++t)
     polygons[t].vertices.assign(result.triangles[t].begin(), result.triangles[t].end());
   status_ = Status::Ok;
+  return true;
 }
 
 template <typename PointInT>
 filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResult(
     const filmsticking::Execution& execution) const {
   if constexpr (std::is_same_v<pcl::index_t, std::int32_t> && std::is_same_v<decltype(PointInT::x), float> &&
-                std::is_same_v<decltype(PointInT::y), float> && std::is_same_v<decltype(PointInT::z), float>) {
+                std::is_same_v<decltype(PointInT::y), float> &&
+                std::is_same_v<decltype(PointInT::z), float>) {
     const PointInT* first = input_->points.data();
     // As in PCL's own types.
     if (!input_->empty() && &first->y == &first->x + 1 && &first->z == &first->x + 2) {
@@ -165,6 +175,38 @@ filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResult(
     positions.push_back({point.x, point.y, point.z});
   }
   return filmsticking::reconstruct(positions, options_, execution);
+}
+
+template <typename PointInT>
+filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResultOfBlob(
+    const filmsticking::Execution& execution) const {
+  const pcl::PCLPointCloud2& blob = *blob_;
+  const std::size_t x = detail::offsetOf(blob, "x"), y = detail::offsetOf(blob, "y"),
+                    z = detail::offsetOf(blob, "z");
+  // Rows may be padded: the points lie at whole multiples of this, not at a constant step.
+  const std::size_t unit = std::gcd<std::size_t>(blob.point_step, blob.row_step);
+  const std::size_t units = blob.data.size() / unit;
+  if (!indices_->empty() && y == x + sizeof(float) && z == y + sizeof(float) &&
+      units <= static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
+    std::vector<std::int32_t> places;
+    places.reserve(indices_->size());
+    for (const pcl::index_t index : *indices_)
+      places.push_back(static_cast<std::int32_t>(detail::placeOf(blob, index) / unit));
+    const filmsticking::PointsView view(reinterpret_cast<const float*>(&blob.data[x]), unit, units);
+    return filmsticking::reconstruct(view.at(places), options_, execution);
+  }
+  std::vector<filmsticking::Point> positions;
+  positions.reserve(indices_->size());
+  for (const pcl::index_t index : *indices_) {
+    const std::uint8_t* point = &blob.data[detail::placeOf(blob, index)];
+    positions.push_back({detail::floatAt(point + x), detail::floatAt(point + y), detail::floatAt(point + z)});
+  }
+  return filmsticking::reconstruct(positions, options_, execution);
+}
+
+template <typename PointInT>
+pcl::PCLHeader pcl::FilmstickingPP<PointInT>::inputHeader() const {
+  return blob_ ? blob_->header : input_ ? input_->header : pcl::PCLHeader();
 }
 
 template <typename PointInT>
@@ -189,10 +231,7 @@ void pcl::FilmstickingPP<PointInT>::guarded(Compute compute) noexcept {
   vertex_indices_.clear();
   face_gaps_.clear();
   try {
-    if (checkInput()) {
-      compute();
-      deinitCompute();
-    }
+    if (checkInput()) compute();
   } catch (const std::bad_alloc&) {
     fail(Status::OutOfMemory, filmsticking::describe(Status::OutOfMemory));
   } catch (const std::exception& error) {
@@ -211,22 +250,25 @@ bool pcl::FilmstickingPP<PointInT>::checkInput() {
     fail(Status::InvalidInput, message);
     return false;
   };
-  if (!blob_fault_.empty()) return refuse(blob_fault_);
-  if (!input_) return refuse("no input cloud is set");
-  // The blob is the caller's; it may have changed since it was set.
-  if (blob_ && (!detail::blobFault(*blob_).empty() ||
-                static_cast<std::size_t>(blob_->width) * blob_->height != input_->size()))
-    return refuse("the blob changed after it was set");
+  if (blob_) {  // it is the caller's, and trusted at no other place
+    const std::string fault = detail::blobFault(*blob_);
+    if (!fault.empty()) return refuse(fault);
+  } else if (!input_) {
+    return refuse("no input cloud is set");
+  }
   if (!indices_fault_.empty()) return refuse(indices_fault_);
-  if (fake_indices_) indices_.reset();  // a copy of this object has the same ones, maybe in another thread
-  if (!initCompute() || (fake_indices_ && indices_->size() != input_->size())) {
-    fail(Status::OutOfMemory, filmsticking::describe(Status::OutOfMemory));
-    return false;
+  const std::size_t size = blob_ ? static_cast<std::size_t>(blob_->width) * blob_->height : input_->size();
+  if (size > static_cast<std::size_t>(std::numeric_limits<pcl::index_t>::max()))
+    return refuse("the cloud has more points than indices can tell");
+  if (!indices_ || fake_indices_) {  // not as PCLBase does: a copy of this object shares the indices
+    indices_.reset(new pcl::Indices(size));
+    std::iota(indices_->begin(), indices_->end(), 0);
+    fake_indices_ = true;
   }
   for (const pcl::index_t index : *indices_)
-    if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
-      return refuse("index " + std::to_string(index) + " is not in the cloud of " +
-                    std::to_string(input_->size()) + " points");
+    if (index < 0 || static_cast<std::size_t>(index) >= size)
+      return refuse("index " + std::to_string(index) + " is not in the cloud of " + std::to_string(size) +
+                    " points");
   return true;
 }
 

@@ -5,11 +5,14 @@
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/PCLPointField.h>
 #include <pcl/common/io.h>
+#include <pcl/conversions.h>
+#include <pcl/point_cloud.h>
 #include <pcl/types.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 
 namespace pcl {
@@ -40,6 +43,26 @@ inline std::string blobFault(const pcl::PCLPointCloud2& blob) {
   return {};
 }
 
+/** \brief Where in a point's bytes the field \a name begins; \a blob has no blobFault(), and the field. */
+inline std::size_t offsetOf(const pcl::PCLPointCloud2& blob, const char* name) {
+  return std::find_if(blob.fields.begin(), blob.fields.end(),
+                      [name](const pcl::PCLPointField& field) { return field.name == name; })
+      ->offset;
+}
+
+/** \brief Where in the bytes of \a blob its point \a index begins. */
+inline std::size_t placeOf(const pcl::PCLPointCloud2& blob, pcl::index_t index) {
+  const std::size_t row = index / blob.width, column = index % blob.width;
+  return row * blob.row_step + column * blob.point_step;
+}
+
+/** \brief The float whose bytes begin at \a place, which may be any. */
+inline float floatAt(const std::uint8_t* place) {
+  float value;
+  std::memcpy(&value, place, sizeof value);
+  return value;
+}
+
 /** \brief Copy points with all their bytes.
  * \param[in] blob the points, without a blobFault()
  * \param[in] indices which points to copy, all in \a blob
@@ -57,11 +80,24 @@ inline void copyPoints(const pcl::PCLPointCloud2& blob, const pcl::Indices& indi
   output.row_step = output.width * output.point_step;
   output.data.resize(static_cast<std::size_t>(output.width) * output.point_step);
   std::uint8_t* to = output.data.data();
-  for (const pcl::index_t index : indices) {
-    const std::size_t row = index / blob.width, column = index % blob.width;
-    const std::uint8_t* from = blob.data.data() + row * blob.row_step + column * blob.point_step;
-    to = std::copy_n(from, blob.point_step, to);
-  }
+  for (const pcl::index_t index : indices)
+    to = std::copy_n(&blob.data[placeOf(blob, index)], blob.point_step, to);
+}
+
+/** \brief Copy points as pcl::toPCLPointCloud2() does, without a cloud of them between. */
+template <typename PointT>
+void copyPoints(const pcl::PointCloud<PointT>& cloud, const pcl::Indices& indices,
+                pcl::PCLPointCloud2& output) {
+  pcl::toPCLPointCloud2(pcl::PointCloud<PointT>(), output);  // the fields
+  output.header = cloud.header;
+  output.is_dense = true;
+  output.height = 1;
+  output.width = static_cast<pcl::uindex_t>(indices.size());
+  output.row_step = output.width * output.point_step;
+  output.data.resize(indices.size() * sizeof(PointT));
+  std::uint8_t* to = output.data.data();
+  for (const pcl::index_t index : indices)
+    to = std::copy_n(reinterpret_cast<const std::uint8_t*>(&cloud[index]), sizeof(PointT), to);
 }
 
 }  // namespace detail
