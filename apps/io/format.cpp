@@ -2,6 +2,7 @@
 #include "format.h"
 
 #include <cstdint>
+#include <utility>
 
 #include "glb.h"
 #include "io_error.h"
@@ -73,6 +74,12 @@ Model decode_cloud(const std::string& format, std::string_view bytes) {
   if (format == "vtk") return decode_vtk(bytes);
   if (format == "xyz" || format == "txt") return decode_xyz(bytes);
   throw IoError("there is no format '" + format + "' for points");
+}
+
+Model decode_cloud(const std::string& format, std::string&& bytes) {
+  std::string held = std::move(bytes);
+  if (format == "pcd") return decode_pcd(held, [&held] { std::string().swap(held); });
+  return decode_cloud(format, std::string_view(held));
 }
 
 void encode_model(const std::string& format, const Model& model, const ByteSink& sink) {

@@ -22,6 +22,8 @@ std::string detect_format(std::string_view bytes);
 
 /// Points, and triangles if any, of a format of cloud_formats() or vtk. Throws IoError.
 Model decode_cloud(const std::string& format, std::string_view bytes);
+/// The same; gives the bytes' memory back as soon as they are not needed.
+Model decode_cloud(const std::string& format, std::string&& bytes);
 
 /// Sends the bytes of a file of a format of mesh_formats(). Every coordinate reads back as the same number,
 /// but for glb. Throws IoError, at a model that the format cannot hold before anything is sent.

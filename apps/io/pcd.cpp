@@ -4,6 +4,7 @@
 #include <pcl/io/lzf.h>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -213,14 +214,16 @@ std::string decompress(std::string_view body) {
 
 }  // namespace
 
-Model decode_pcd(std::string_view bytes) {
+Model decode_pcd(std::string_view bytes, const std::function<void()>& release) {
   TextScanner file(bytes);
   const Header header = parse_header(file);
   const Wanted wanted = find_wanted(header);
   const std::string_view body = bytes.substr(bytes.size() - file.remaining());
   if (header.data == Data::Ascii) return read_text(header, wanted, body);
   if (header.data == Data::Binary) return read_binary(header, wanted, body, false);
-  return read_binary(header, wanted, decompress(body), true);
+  const std::string fields = decompress(body);
+  if (release) release();
+  return read_binary(header, wanted, fields, true);
 }
 
 }  // namespace filmsticking::io

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string_view>
 
 #include "model.h"
@@ -8,7 +9,8 @@
 namespace filmsticking::io {
 
 /// Reads a PCD file (ascii, binary, compressed): x, y, z in any type, and rgb or rgba. Unlike PCL's reader it
-/// stands broken files. Throws IoError.
-Model decode_pcd(std::string_view bytes);
+/// stands broken files. Calls `release`, if there is one, when compressed data are unpacked and `bytes` are
+/// not looked at any more. Throws IoError.
+Model decode_pcd(std::string_view bytes, const std::function<void()>& release = nullptr);
 
 }  // namespace filmsticking::io

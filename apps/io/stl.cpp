@@ -2,7 +2,8 @@
 #include "stl.h"
 
 #include <cmath>
-#include <map>
+#include <set>
+#include <vector>
 
 #include "float_exact.h"
 #include "io_error.h"
@@ -65,11 +66,16 @@ void encode_text(const Model& model, ByteWriter& out) {
 /// Puts triangles together from their corners; equal corners become one vertex.
 class CornerJoiner {
  public:
+  CornerJoiner() = default;
+  CornerJoiner(const CornerJoiner&) = delete;
+  CornerJoiner& operator=(const CornerJoiner&) = delete;
+
   void add(const Point& corner) {
     const auto next = static_cast<std::int32_t>(model_.positions.size());
-    const auto [found, is_new] = numbers_.emplace(corner, next);
-    if (is_new) model_.positions.push_back(corner);
-    triangle_[corners_++ % 3] = found->second;
+    model_.positions.push_back(corner);
+    const auto [found, is_new] = vertices_.insert(next);
+    if (!is_new) model_.positions.pop_back();
+    triangle_[corners_++ % 3] = *found;
     if (corners_ % 3 == 0) model_.triangles.push_back(triangle_);
   }
 
@@ -80,7 +86,12 @@ class CornerJoiner {
 
  private:
   Model model_;
-  std::map<Point, std::int32_t> numbers_;
+  // By position, which they share with the model: no second copy of the points.
+  struct Before {
+    const std::vector<Point>& positions;
+    bool operator()(std::int32_t a, std::int32_t b) const { return positions[a] < positions[b]; }
+  };
+  std::set<std::int32_t, Before> vertices_{Before{model_.positions}};
   Triangle triangle_{};
   std::size_t corners_ = 0;
 };

@@ -32,11 +32,11 @@ std::string shown(const std::string& path, const char* stream) {
 io::Model read_input(const std::string& path, const CommandLine& command) {
   const std::int64_t most = command.options.max_memory;
   if (path != kStandardStream && command.from.empty()) return io::read_cloud(path, most);
-  const std::string bytes =
+  std::string bytes =
       path == kStandardStream ? io::read_standard_input(most, &stop_asked) : io::read_file(path, most);
   const std::string known = command.from.empty() ? io::detect_format(bytes) : command.from;
   if (known.empty()) throw io::IoError("its format is not recognised; --format names it");
-  io::Model cloud = io::decode_cloud(known, bytes);
+  io::Model cloud = io::decode_cloud(known, std::move(bytes));
   if (cloud.positions.empty()) throw io::IoError("there are no points in it");
   return cloud;
 }

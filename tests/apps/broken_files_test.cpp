@@ -30,6 +30,9 @@ TEST(BrokenFiles, TheSamplesAreWhole) {
     EXPECT_EQ(model.positions.size(), sample.extension == ".stl" ? 4u : 5u);  // the corners alone
     EXPECT_EQ(model.triangles.size(), sample.extension == ".pcd" ? 0u : 4u);
     EXPECT_EQ(model.colours.size(), sample.extension == ".stl" ? 0u : 5u);
+    const Model handed_over = io::decode_cloud(sample.extension.substr(1), std::string(sample.bytes));
+    EXPECT_EQ(handed_over.positions, model.positions);
+    EXPECT_EQ(handed_over.colours, model.colours);
   }
 }
 
