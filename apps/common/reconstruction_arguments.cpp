@@ -10,6 +10,7 @@ po::options_description reconstruction_arguments() {
   options.add_options()(
       "open", "leave out the faces that no points support: the surface that was seen, with its borders")(
       "keep-outliers", "bring on points that are far from all others, too")(
+      "no-sharp-edges", "do not flip edges of the mesh to lie along the sharp edges of the shape")(
       "max-memory", po::value<std::string>()->value_name("MB"),
       "end with a message where the reconstruction would need more memory than this")(
       "preset", po::value<std::string>()->value_name("default|paper"),
@@ -63,6 +64,7 @@ Options reconstruction_options(const Arguments& given) {
   });
   options.open_boundary = given.has("open");
   options.keep_outliers = given.has("keep-outliers");
+  if (given.has("no-sharp-edges")) options.sharp_edges = false;
   if (given.has("no-weights")) options.weights = false;
   if (given.has("no-insert")) options.insert_leftover = false;
   return options;

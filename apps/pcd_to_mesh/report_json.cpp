@@ -48,6 +48,7 @@ std::string report_json(const Result& result, const RunFacts& facts) {
       .add("interpolated_share", share)
       .add("outliers", report.outliers)
       .add("inserted", report.inserted)
+      .add("flips", report.flips)
       .add("vertices", static_cast<std::int64_t>(result.vertices.size()))
       .add("triangles", static_cast<std::int64_t>(result.triangles.size()))
       .add("components", report.components)

@@ -60,6 +60,10 @@ struct Options {
   /// otherwise.
   bool keep_outliers = false;
 
+  /// Flip edges of the finished surface where that lays them along the shape's sharp edges and the bends of its
+  /// curved parts. Vertices, topology and what intersects stay as they are; a noisy surface stays nearly so.
+  bool sharp_edges = true;
+
   /// Film steps allowed in one evolution of the film before the first field; at least 1.
   int max_steps = 60;
 
@@ -77,8 +81,8 @@ struct Options {
   /// A closed oriented 2-manifold, for InitialSurface::Given.
   std::shared_ptr<const Mesh> guiding_surface;
 
-  /// The paper's pipeline: sphere, 1000 virtual sites, weights, one Poisson round, nothing inserted. One
-  /// thing differs: the virtual sites join at the first stall, since from the start they pull the film
+  /// The paper's pipeline: sphere, 1000 virtual sites, weights, one Poisson round, nothing inserted, no edge
+  /// flipped. One thing differs: the virtual sites join at the first stall, since from the start they pull the film
   /// through the shape.
   FILMSTICKING_EXPORT static Options paper();
 };

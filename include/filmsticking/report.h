@@ -40,6 +40,8 @@ struct Report {
   /// Times that a site was brought on to the surface by itself at the end, which the cut or the film had left off:
   /// one in hundreds on clean clouds, many of thin walls and noise.
   std::int64_t inserted = 0;
+  /// Edges flipped to lie along sharp edges and bends; Options::sharp_edges.
+  std::int64_t flips = 0;
   std::int64_t triangles = 0;     ///< of the result
   std::int64_t components = 0;    ///< connected pieces of the result
   std::int64_t genus = 0;         ///< sum over the components

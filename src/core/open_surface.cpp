@@ -87,7 +87,12 @@ std::vector<char> supported(const GuidingSurface& film, const SiteGeometry& geom
 std::vector<float> face_gaps(const GuidingSurface& film, const SiteGeometry& geometry) {
   std::vector<float> gaps(film.triangles.size());
   parallel_each(gaps.size(), [&](std::size_t i) {
-    const Corners& t = film.triangles[i];
+    Corners t = film.triangles[i];
+    // The last bit is that of any other numbering.
+    std::rotate(
+        t.begin(),
+        std::min_element(t.begin(), t.end(), [&](Index a, Index b) { return film.site[a] < film.site[b]; }),
+        t.end());
     double spacing = 0;
     for (Index v : t) spacing = std::max(spacing, geometry.spacing[film.site[v]]);
     const double radius = enclosing_radius(film.positions[t[0]], film.positions[t[1]], film.positions[t[2]]);

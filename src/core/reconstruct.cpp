@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "delaunay.h"
+#include "feature_flips.h"
 #include "monitor.h"
 #include "open_surface.h"
 #include "orientation.h"
@@ -191,6 +192,12 @@ void run(const PointsView& points, const Options& options, const Execution& exec
   const auto orient = [&] {
     topology.emplace(film.triangles, static_cast<Index>(film.positions.size()));
     if (!topology->check.manifold()) return !film.triangles.empty();  // told of below
+    if (options.sharp_edges) {
+      monitor.enter("sharp edges", monitor.share());
+      report.flips = flip_to_features(film, topology->twin, monitor.cancel());
+      topology->check = check_manifold_with_twins(film.triangles, static_cast<Index>(film.site.size()), topology->twin);
+      if (!topology->check.manifold()) return true;
+    }
     std::vector<std::int32_t> ids(film.site.size());
     parallel_each(ids.size(), [&](std::size_t v) { ids[v] = sites.input[film.site[v]]; });
     return orient_components(film, points.at(ids), *topology);
@@ -216,6 +223,7 @@ Options Options::paper() {
   options.field = FieldMethod::Poisson;
   options.virtual_sites = 1000;
   options.insert_leftover = false;
+  options.sharp_edges = false;
   options.max_rounds = 1;
   return options;
 }

@@ -70,6 +70,42 @@ EdgeUse use_of(const std::vector<Corners>& triangles, const HalfEdgesByEnd& edge
   return use;
 }
 
+// Do the faces at every vertex hang together? The twins pair half-edges, so that turning around a vertex
+// comes to an open end or back to the start. `distinct`: do they have different edges there, too?
+bool single_rings(const std::vector<Corners>& triangles, const std::vector<Index>& twin,
+                  const std::vector<Index>& degree, bool distinct) {
+  // Of the fans at a vertex any will do: if there are several, none has all of its faces.
+  std::vector<std::atomic<Index>> some(degree.size());
+  parallel_each(some.size(), [&](std::size_t v) { some[v].store(kNone, std::memory_order_relaxed); });
+  parallel_each(twin.size(), [&](std::size_t h) {
+    some[triangles[h / 3][h % 3]].store(static_cast<Index>(h), std::memory_order_relaxed);
+  });
+  std::atomic<bool> single{true};
+  parallel_chunks(some.size(), 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
+    std::vector<Index> ends;
+    for (std::size_t v = begin; v < end; ++v) {
+      const Index h = some[v].load(std::memory_order_relaxed);
+      if (h == kNone) continue;
+      Index first = h;  // where the fan starts, if it is no ring
+      while (twin[first] != kNone && next_in_face(twin[first]) != h) first = next_in_face(twin[first]);
+      Index g = first, last = first, faces = 0;
+      ends.clear();
+      do {
+        ++faces;
+        if (distinct) ends.push_back(target(triangles, g));
+        last = prev_in_face(g);
+        g = twin[last];
+      } while (g != kNone && g != first);
+      if (faces != degree[v]) single = false;
+      if (!distinct) continue;
+      if (g == kNone) ends.push_back(triangles[last / 3][last % 3]);
+      std::sort(ends.begin(), ends.end());
+      if (std::adjacent_find(ends.begin(), ends.end()) != ends.end()) single = false;
+    }
+  });
+  return single;
+}
+
 }  // namespace
 
 std::vector<Index> half_edge_twins(const std::vector<Corners>& triangles, Index vertex_count) {
@@ -117,28 +153,47 @@ ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex
     check.single_rings = false;
     return check;
   }
-  // Twins pair the half-edges here, so that turning around a vertex comes to an open end or back to the
-  // start. Of the fans at a vertex any will do: if there are several, none has all of its faces.
-  std::vector<std::atomic<Index>> some(vertex_count);
-  parallel_each(some.size(), [&](std::size_t v) { some[v].store(kNone, std::memory_order_relaxed); });
-  parallel_each(twin.size(), [&](std::size_t h) {
-    some[triangles[h / 3][h % 3]].store(static_cast<Index>(h), std::memory_order_relaxed);
-  });
-  std::atomic<bool> single{true};
-  parallel_each(some.size(), [&](std::size_t v) {
-    const Index h = some[v].load(std::memory_order_relaxed);
-    if (h == kNone) return;
-    Index first = h;  // where the fan starts, if it is no ring
-    while (twin[first] != kNone && next_in_face(twin[first]) != h) first = next_in_face(twin[first]);
-    Index g = first, faces = 0;
-    do {
-      ++faces;
-      g = twin[prev_in_face(g)];
-    } while (g != kNone && g != first);
-    if (faces != edges.degree[v]) single = false;
-  });
-  check.single_rings = single;
+  check.single_rings = single_rings(triangles, twin, edges.degree, false);
   if (twins != nullptr) *twins = std::move(twin);
+  return check;
+}
+
+ManifoldCheck check_manifold_with_twins(const std::vector<Corners>& triangles, Index vertex_count,
+                                        const std::vector<Index>& twins) {
+  ManifoldCheck check;
+  std::vector<std::atomic<Index>> count(vertex_count);
+  parallel_each(count.size(), [&](std::size_t v) { count[v].store(0, std::memory_order_relaxed); });
+  std::atomic<bool> valid{!triangles.empty() && twins.size() == 3 * triangles.size()}, paired{true};
+  std::atomic<std::int64_t> alone{0};
+  if (valid)
+    parallel_each(triangles.size(), [&](std::size_t t) {
+      const Corners& c = triangles[t];
+      if (std::min({c[0], c[1], c[2]}) < 0 || std::max({c[0], c[1], c[2]}) >= vertex_count || c[0] == c[1] ||
+          c[1] == c[2] || c[2] == c[0]) {
+        valid = false;
+        return;
+      }
+      for (Index k = 0; k < 3; ++k) {
+        count[c[k]].fetch_add(1, std::memory_order_relaxed);
+        const Index h = static_cast<Index>(3 * t) + k, g = twins[h];
+        if (g == kNone)
+          ++alone;
+        else if (g < 0 || g >= static_cast<Index>(twins.size()) || g == h || twins[g] != h ||
+                 triangles[g / 3][g % 3] != c[(k + 1) % 3] || target(triangles, g) != c[k])
+          paired = false;
+      }
+    });
+  check.indices_valid = valid;
+  check.edges_simple = valid && paired;
+  check.boundary_edges = alone;
+  check.closed = check.edges_simple && alone == 0;
+  check.oriented = check.edges_simple;
+  check.single_rings = false;
+  if (!check.edges_simple) return check;
+  std::vector<Index> degree(count.size());
+  parallel_each(count.size(), [&](std::size_t v) { degree[v] = count[v].load(std::memory_order_relaxed); });
+  // Faces in one ring or fan, with different edges: then no edge has other faces than its two half-edges'.
+  check.single_rings = single_rings(triangles, twins, degree, true);
   return check;
 }
 

@@ -33,6 +33,11 @@ std::vector<Index> half_edge_twins(const std::vector<Corners>& triangles, Index 
 ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex_count,
                              std::vector<Index>* twins = nullptr);
 
+/// The same of triangles with known twins, which are checked as well: sooner done. Twins that do not hold are
+/// told as edges that are not simple.
+ManifoldCheck check_manifold_with_twins(const std::vector<Corners>& triangles, Index vertex_count,
+                                        const std::vector<Index>& twins);
+
 /// Connected components of a manifold: component[t] for every triangle, and their number.
 Index connected_components(const std::vector<Index>& twins, std::vector<Index>& component);
 

@@ -55,6 +55,7 @@ Settings settings_of(const FilmstickingConfig& config) {
   settings.options.threads = config.threads;
   settings.options.open_boundary = config.open;
   settings.options.keep_outliers = config.keep_outliers;
+  settings.options.sharp_edges = config.sharp_edges;
   return settings;
 }
 

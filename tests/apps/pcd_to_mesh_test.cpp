@@ -196,6 +196,7 @@ TEST(PcdToMesh, EveryOptionWorks) {
       {"--virtual-sites", "adaptive"},
       {"--no-weights"},
       {"--keep-outliers"},
+      {"--no-sharp-edges"},
       {"--no-insert"},
       {"--max-steps", "3"},
       {"--max-rounds", "1"},

@@ -615,6 +615,7 @@ TEST(FilmstickingPP, OptionsAreKept) {
   filmsticking.setInsertLeftover(false);
   filmsticking.setOutputBoundary(true);
   filmsticking.setKeepOutliers(true);
+  filmsticking.setSharpEdges(false);
   filmsticking.setMaxSteps(7);
   filmsticking.setMaxRounds(3);
   filmsticking.setNumberOfThreads(1);
@@ -627,6 +628,7 @@ TEST(FilmstickingPP, OptionsAreKept) {
   EXPECT_FALSE(options.insert_leftover);
   EXPECT_TRUE(options.open_boundary);
   EXPECT_TRUE(options.keep_outliers);
+  EXPECT_FALSE(options.sharp_edges);
   EXPECT_EQ(options.max_steps, 7);
   EXPECT_EQ(options.max_rounds, 3);
   EXPECT_EQ(options.threads, 1);
@@ -640,6 +642,7 @@ TEST(FilmstickingPP, OptionsAreKept) {
   EXPECT_FALSE(other.getInsertLeftover());
   EXPECT_TRUE(other.getOutputBoundary());
   EXPECT_TRUE(other.getKeepOutliers());
+  EXPECT_FALSE(other.getSharpEdges());
   EXPECT_EQ(other.getMaxSteps(), 7);
   EXPECT_EQ(other.getMaxRounds(), 3);
   EXPECT_EQ(other.getNumberOfThreads(), 1);

@@ -202,6 +202,14 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   /** \brief Get whether outliers are brought on to the surface. */
   bool getKeepOutliers() const { return options_.keep_outliers; }
 
+  /** \brief Set whether edges of the finished surface are flipped where that lays them along the shape's sharp
+   * edges. On by default; the vertices are the same either way.
+   */
+  void setSharpEdges(bool sharp_edges) { options_.sharp_edges = sharp_edges; }
+
+  /** \brief Get whether edges are flipped along the shape's sharp edges. */
+  bool getSharpEdges() const { return options_.sharp_edges; }
+
   /** \brief Set the bytes that a reconstruction may take beside its input; 0, the default: no limit. One that
    * would need more (by an estimate) ends with Status::OutOfMemory.
    */
