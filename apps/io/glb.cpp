@@ -68,6 +68,7 @@ std::string json_array(const std::vector<std::string>& values) {
 /// The nearest floats to `p` counted from `origin`, as JSON.
 std::string json_point(const Point& p, const Point& origin) {
   std::vector<std::string> numbers;
+  numbers.reserve(3);
   for (int axis = 0; axis < 3; ++axis)
     numbers.push_back(json(static_cast<double>(static_cast<float>(p[axis] - origin[axis]))));
   return json_array(numbers);

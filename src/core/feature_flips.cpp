@@ -232,7 +232,7 @@ class FeatureFlips {
   Verdict try_flip(Index h) const {
     const Index g = canonical(h);
     const Four tet = corners(g);
-    const auto [a, b, c, d] = tet;
+    const Index c = tet[2], d = tet[3];
     if (c == d || joined(prev_in_face(g), d, prev_in_face(twin_[g]), c)) return Verdict::Never;
     Box box = box_of(tet);
     box.min().array() -= kMargin, box.max().array() += kMargin;
@@ -263,7 +263,7 @@ class FeatureFlips {
   // tetrahedron of the faces' corners in common corners only. Most faces around are, and this is soon found.
   class Fence {
    public:
-    Fence(const std::vector<Vec3>& positions, const Four& tet) : positions_(positions), tet_(tet) {
+    Fence(const std::vector<Vec3>& positions, const Four& tet) : positions_(positions) {
       const auto& [a, b, c, d] = tet;
       const Vec3 ab = positions[b] - positions[a], cd = positions[d] - positions[c];
       const Vec3 up = ab.cross(cd);
@@ -302,7 +302,6 @@ class FeatureFlips {
 
    private:
     const std::vector<Vec3>& positions_;
-    const Four tet_;
     Four post_, end_;
     std::array<Vec3, 4> out_;
     int count_ = 0;
