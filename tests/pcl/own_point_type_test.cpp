@@ -8,6 +8,11 @@
 
 #include "clouds.h"
 
+#ifdef __clang__  // what PCL's macro expands to, in every point type
+#pragma clang diagnostic ignored "-Wgnu-anonymous-struct"
+#pragma clang diagnostic ignored "-Wnested-anon-types"
+#endif
+
 struct LabelledHit {
   PCL_ADD_POINT4D;
   int hit = 0;
