@@ -53,6 +53,7 @@ class FaceFiller {
     stack_.push_back(polygon_);
     used_.clear();
     for (const Corner& corner : border_) used_.push_back(corner.site);
+    std::sort(used_.begin(), used_.end());
     // Ends: a polygon falls into smaller ones, or takes in a site that is new to the face.
     while (!stack_.empty()) {
       std::vector<Corner> top = std::move(stack_.back());
@@ -163,12 +164,12 @@ class FaceFiller {
       for (Index k = diagram_.offset[a]; k < diagram_.offset[a + 1]; ++k) {
         const Index c = diagram_.neighbour[k];
         const double s = end_of_arc(r, c);
-        if (s < first && std::find(used_.begin(), used_.end(), c) == used_.end()) first = s, inner = c;
+        if (s < first && !std::binary_search(used_.begin(), used_.end(), c)) first = s, inner = c;
       }
     }
     if (inner != kNone) {
       // A cell inside the face. Each is met once, so this ends.
-      used_.push_back(inner);
+      used_.insert(std::lower_bound(used_.begin(), used_.end(), inner), inner);
       const Index h = add_triangle(a, b, inner, point_at(r, first));
       connect(port_of(h), p[0].port);
       std::vector<Corner> rest;
@@ -196,7 +197,7 @@ class FaceFiller {
   std::vector<Port>& inside_;
   std::vector<Corner> border_, polygon_;
   std::vector<std::vector<Corner>> stack_;
-  std::vector<Index> used_;  // sites already in this face's dual
+  std::vector<Index> used_;  // sites already in this face's dual, in order
   Vec3 origin_, x_axis_, y_axis_;
 };
 

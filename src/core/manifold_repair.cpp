@@ -78,6 +78,7 @@ class Repair {
     orbit_site_.push_back(site);
     queued_.push_back(0);
     surplus_.push_back(0);
+    affected_.push_back(0);
     orbits_of_site_[site].push_back(o);
     return o;
   }
@@ -113,6 +114,8 @@ class Repair {
       }
       return std::pair(second - least, best);
     };
+    std::vector<Index> degree(out_.size(), 0);
+    for (const Index o : orbit_) ++degree[o];
     std::priority_queue<std::pair<double, Index>> queue;  // lead, -site: ties by the lower site
     for (std::size_t s = 0; s < orbits_of_site_.size(); ++s) {
       if (orbits_of_site_[s].size() < 2) continue;
@@ -120,8 +123,8 @@ class Repair {
       undecided[s] = 1;
       queue.emplace(best_of(static_cast<Index>(s)).first, -static_cast<Index>(s));
     }
-    // Ends: a turn decides a site, or brings an entry up to date, which it stays until the next decision. Costs
-    // are finite, so no lead differs from itself.
+    // Ends: a turn decides a site, or brings an entry up to date, which it stays until the next decision.
+    // Costs are finite, so no lead differs from itself.
     while (!queue.empty()) {
       const auto [lead, negative] = queue.top();
       const Index site = -negative;
@@ -141,18 +144,11 @@ class Repair {
         Index h = out_[o];
         do {
           const Index p = target(h);
-          against[p] += kCoherence / static_cast<double>(degree(p));
+          against[p] += kCoherence / static_cast<double>(degree[p]);
           h = rotate(h);
         } while (h != out_[o]);
       }
     }
-  }
-
-  Index degree(Index o) const {
-    Index n = 0, h = out_[o];
-    do ++n, h = rotate(h);
-    while (h != out_[o]);
-    return n;
   }
 
   double ring_cost(Index o) {
@@ -375,8 +371,8 @@ class Repair {
         const Index h = 3 * f + k;
         if ((orbit_[h] == a && target(h) == c) || (orbit_[h] == c && target(h) == a)) return true;
       }
-    // From each rim edge that starts or ends at a, turn around a through the outside: the hole ends both turns,
-    // or they have come round.
+    // From each rim edge that starts or ends at a, turn around a through the outside: the hole ends both
+    // turns, or they have come round.
     for (Index h : outside_) {
       if (h < 0) continue;
       for (Index g : {h, next_in_face(h)}) {
@@ -437,11 +433,11 @@ class Repair {
   // a half-edge of each part.
   void relabel(const std::vector<Index>& affected, const std::vector<Index>& touched) {
     ++time_;
-    for (Index o : affected) out_[o] = kNone;
+    for (Index o : affected) out_[o] = kNone, affected_[o] = time_;
     std::vector<Index> split;
     for (Index h : touched) {
       const Index o = orbit_[h];
-      if (stamp_[h] == time_ || std::find(affected.begin(), affected.end(), o) == affected.end()) continue;
+      if (stamp_[h] == time_ || affected_[o] != time_) continue;
       Index label = o;
       if (out_[o] == kNone) {
         out_[o] = h;
@@ -472,7 +468,7 @@ class Repair {
   std::vector<char> queued_, surplus_;      // per orbit
   std::vector<std::vector<Index>> orbits_of_site_;
   std::vector<Index> queue_;
-  std::vector<std::int64_t> stamp_;  // per half-edge
+  std::vector<std::int64_t> stamp_, affected_;  // per half-edge, per orbit: when relabel() last met it
   std::int64_t time_ = 0;
   const std::vector<Vec3>& positions_;
   RingChoice choice_;
