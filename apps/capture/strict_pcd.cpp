@@ -74,9 +74,13 @@ class HeaderReader {
   }
 
  private:
+  /// PCL's reader takes a line of blanks, unlike one of nothing, for the header's end and goes on without a
+  /// header.
   void advance() {
     do {
+      const bool nothing = bytes_.substr(0, 1) == "\n";
       words_ = words_of(take_line(bytes_));
+      if (words_.empty() && !nothing) refuse("a line of its header is blank");
     } while (words_.empty() || words_[0][0] == '#');
   }
 

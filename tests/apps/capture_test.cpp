@@ -227,6 +227,17 @@ TEST(StrictPcd, TheHeaderDoesNotGoOnBehindItsData) {
     EXPECT_THROW(check_pcd(file(body)), CaptureError) << body;
 }
 
+TEST(StrictPcd, ABlankLineInTheHeaderIsRefused) {
+  const auto file = [](const std::string& between) {
+    return "VERSION 0.7\n" + between +
+           "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n1 2 "
+           "3\n";
+  };
+  EXPECT_NO_THROW(check_pcd(file("\n")));
+  for (const char* blank : {"\r\n", " \n", "\t\n", "\n \r\n"})
+    EXPECT_THROW(check_pcd(file(blank)), CaptureError);
+}
+
 TEST(OpenniSource, AFileThatIsNoRecordingIsRefused) {
   const ScratchFolder folder;
   std::ofstream(folder / "noise.oni") << "noise";
