@@ -19,6 +19,7 @@
 #include "field/two_sides.h"
 #include "field/winding_number.h"
 #include "film.h"
+#include "film_normals.h"
 #include "insert_sites.h"
 #include "open_surface.h"
 #include "parallel.h"
@@ -49,6 +50,10 @@ constexpr double kCarveWidths[] = {2, 4};
 constexpr double kCarveSlope = 0.2;
 // How much surer of the inside for a width one spacing smaller.
 constexpr double kInsideSlope = 3;
+// How many times a surface may be cut again, by evidence from its own normals: later times change little.
+constexpr int kRefinements = 2;
+// More sites than this share of all may not be given up for it.
+constexpr double kGivenUp = 0.001;
 // A wrap's ball in units of the box's longest side.
 constexpr double kWrapAlpha = 0.05;
 // An inserted site may be this many longest edges of its face away from it.
@@ -302,8 +307,36 @@ bool Pipeline::settled(const Candidate& candidate) const {
   return candidate.inserted == 0 && candidate.quality.off == 0 && candidate.quality.wide_faces == 0;
 }
 
+// Normals fitted to neighbourhoods are wrong where these reach across a thin wall or an edge; the film's own
+// are better there, once it is about right: with them as evidence, it is cut again. What comes of it counts
+// only if it is better by the measure that knows the fitted normals, is not more complex, for a new handle
+// may be a leak, and gives up no sites.
+Pipeline::Candidate Pipeline::refined(Candidate best) {
+  for (int round = 0; round < kRefinements && !best.labels.empty(); ++round) {
+    monitor_.enter("local evidence", monitor_.share());
+    evidence_ = {};  // it is large
+    {
+      SiteGeometry geometry = geometry_;
+      geometry.normal = film_normals(best.film, std::move(geometry.normal));
+      evidence_ = facet_evidence(mesh_, sites_.perturbed, geometry);
+    }
+    monitor_.enter("signed field", monitor_.share());
+    std::vector<double> guess(mesh_.size());
+    for (std::size_t t = 0; t < guess.size(); ++t) guess[t] = best.labels[t] ? 1 : -1;
+    Candidate next =
+        without_gaps(cut(signed_field(mesh_, evidence_, std::move(guess), monitor_.cancel()), kConviction));
+    const double given_up = static_cast<double>(next.quality.off - best.quality.off);
+    if (!(next.score() < best.score()) || next.quality.complexity > best.quality.complexity ||
+        given_up > kGivenUp * static_cast<double>(sites_.size()))
+      break;
+    best = std::move(next);
+  }
+  return best;
+}
+
 // By local evidence alone; where its first cut leaves many sites off, also by carving at a few widths, and
-// where there is no telling inside from outside (open surfaces), by the film from the sphere.
+// where there is no telling inside from outside (open surfaces), by the film from the sphere. The best of
+// these is cut again by its own normals.
 Pipeline::Candidate Pipeline::carve() {
   monitor_.enter("signed field", 0.25);
   Candidate best = cut(signed_field(mesh_, evidence_, std::move(guess_), monitor_.cancel()), kConviction);
@@ -327,7 +360,7 @@ Pipeline::Candidate Pipeline::carve() {
     Candidate other = judged(cut(carve_belief(width, kCarveSlope), kConviction));
     if (other.score() < best.score()) best = std::move(other);
   }
-  best = without_gaps(std::move(best));
+  best = refined(without_gaps(std::move(best)));
   const auto enough = static_cast<std::int64_t>(kMuchTrouble * static_cast<double>(sites_.size()));
   if (!best.film.triangles.empty() && best.quality.off <= enough) return best;
   Candidate film = finish(film_from_outside());

@@ -59,6 +59,7 @@ class Pipeline {
   Candidate judged(Candidate candidate) const;
   bool settled(const Candidate& candidate) const;
   Candidate carve();
+  Candidate refined(Candidate best);
   void rounds(Candidate& best);
 
   const SiteSet& sites_;

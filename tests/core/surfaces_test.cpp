@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "enclosed_volume.h"
+#include "film_normals.h"
 #include "guiding_surface.h"
 #include "orientation.h"
 #include "site_set.h"
@@ -49,6 +50,22 @@ TEST(GuidingSurface, SphereHoldsTheSites) {
     const Vec3 outward = (b - a).cross(c - a);
     for (const Vec3& p : set.perturbed) EXPECT_LT(outward.dot(p - a), 0);
   }
+}
+
+TEST(FilmNormals, AreOutwardAndLeaveOtherSitesAlone) {
+  GuidingSurface sphere = bounding_sphere(make_site_set(test::grid(2)).perturbed);
+  const std::size_t n = sphere.positions.size();
+  for (std::size_t v = 0; v < n; ++v) sphere.site[v] = static_cast<Index>(v + 1);  // site 0 is off it
+  const Vec3 otherwise(0, 0.6, -0.8);
+  const std::vector<Vec3> normals = film_normals(sphere, std::vector<Vec3>(n + 1, otherwise));
+  EXPECT_EQ(normals[0], otherwise);
+  for (std::size_t v = 0; v < n; ++v) {
+    EXPECT_NEAR(normals[v + 1].norm(), 1, 1e-12);
+    EXPECT_GT(normals[v + 1].dot(sphere.positions[v].normalized()), 0.999);
+  }
+  for (Vec3& p : sphere.positions) p = {p.x(), 0, 0};  // flat: there is no normal
+  for (const Vec3& normal : film_normals(sphere, std::vector<Vec3>(n + 1, otherwise)))
+    EXPECT_EQ(normal, otherwise);
 }
 
 TEST(GuidingSurface, WrapIsClosedAndHoldsTheSites) {

@@ -2,6 +2,8 @@
 // Clouds for the core's tests: generated ones from a seed, and the bundled real ones.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -52,6 +54,29 @@ inline std::vector<Point> torus(int n, std::uint64_t seed, double big = 1, doubl
     const double r = big + small * std::cos(v);
     if (random.uniform() * (big + small) > r) continue;
     points.push_back({r * std::cos(u), r * std::sin(u), small * std::sin(v)});
+  }
+  return points;
+}
+
+/// Area-uniform on what a polyline of (distance from the axis, z) sweeps around the axis z.
+inline std::vector<Point> revolved(int n, std::uint64_t seed,
+                                   const std::vector<std::array<double, 2>>& profile) {
+  Random random(seed);
+  std::vector<double> until{0};  // the area up to each corner, over pi
+  for (std::size_t i = 1; i < profile.size(); ++i)
+    until.push_back(until.back() +
+                    (profile[i][0] + profile[i - 1][0]) *
+                        std::hypot(profile[i][0] - profile[i - 1][0], profile[i][1] - profile[i - 1][1]));
+  std::vector<Point> points;
+  while (static_cast<int>(points.size()) < n) {
+    const double x = random.uniform(0, until.back());
+    std::size_t i = 1;
+    while (i + 1 < until.size() && until[i] <= x) ++i;
+    const double t = random.uniform(), r = profile[i - 1][0] + t * (profile[i][0] - profile[i - 1][0]);
+    if (random.uniform() * std::max(profile[i][0], profile[i - 1][0]) > r) continue;
+    const double turn = random.uniform(0, 2 * M_PI);
+    points.push_back({r * std::cos(turn), r * std::sin(turn),
+                      profile[i - 1][1] + t * (profile[i][1] - profile[i - 1][1])});
   }
   return points;
 }

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "guiding_surface.h"
+
+namespace filmsticking {
+
+/// Unit normals of a film at its sites, outward: of the faces around each, weighed by their angle there over
+/// the square of their longest edge, since short faces tell more. `otherwise`: one per site, kept where a
+/// site is on no face, or on flat ones only.
+std::vector<Vec3> film_normals(const GuidingSurface& film, std::vector<Vec3> otherwise);
+
+}  // namespace filmsticking
