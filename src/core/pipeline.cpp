@@ -342,6 +342,7 @@ Pipeline::Candidate Pipeline::carve() {
   Candidate best = cut(signed_field(mesh_, evidence_, std::move(guess_), monitor_.cancel()), kConviction);
   if (best.weak <= kLittleTrouble && !best.film.triangles.empty()) return best;
   best = judged(std::move(best));
+  bool two = false;  // the best is one of two sides: with its normals there still is no inside
   if (best.weak > kNoInside) {
     monitor_.enter("two sides", monitor_.share());
     Candidate sides = judged(cut(two_sides(mesh_, sites_.perturbed, evidence_, geometry_, monitor_.cancel()),
@@ -352,15 +353,17 @@ Pipeline::Candidate Pipeline::carve() {
       // A plain open surface: nothing else can be better, and all else takes long there.
       const bool plain = sides.weak <= kLittleTrouble && complexity <= kLittleTrouble;
       best = std::move(sides);
+      two = true;
       if (plain) return best;
     }
   }
   for (const double width : kCarveWidths) {
     monitor_.enter("carving", monitor_.share());
     Candidate other = judged(cut(carve_belief(width, kCarveSlope), kConviction));
-    if (other.score() < best.score()) best = std::move(other);
+    if (other.score() < best.score()) best = std::move(other), two = false;
   }
-  best = refined(without_gaps(std::move(best)));
+  best = without_gaps(std::move(best));
+  if (!two) best = refined(std::move(best));
   const auto enough = static_cast<std::int64_t>(kMuchTrouble * static_cast<double>(sites_.size()));
   if (!best.film.triangles.empty() && best.quality.off <= enough) return best;
   Candidate film = finish(film_from_outside());
