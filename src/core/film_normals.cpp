@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "corner_angle.h"
+
 namespace filmsticking {
 
 std::vector<Vec3> film_normals(const GuidingSurface& film, std::vector<Vec3> otherwise) {
@@ -15,11 +17,8 @@ std::vector<Vec3> film_normals(const GuidingSurface& film, std::vector<Vec3> oth
     const double longest =
         std::max({(p[1] - p[0]).squaredNorm(), (p[2] - p[1]).squaredNorm(), (p[0] - p[2]).squaredNorm()});
     if (!(longest > 0)) continue;
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 u = p[(k + 1) % 3] - p[k], w = p[(k + 2) % 3] - p[k];
-      const double angle = std::atan2(u.cross(w).norm(), u.dot(w));
-      sum[film.site[t[k]]] += angle / longest * normal;
-    }
+    for (int k = 0; k < 3; ++k)
+      sum[film.site[t[k]]] += corner_angle(p[k], p[(k + 1) % 3], p[(k + 2) % 3]) / longest * normal;
   }
   for (std::size_t s = 0; s < sum.size(); ++s) {
     const double norm = sum[s].stableNorm();  // infinite where faces are about as short as doubles go

@@ -7,9 +7,9 @@
 
 namespace filmsticking {
 
-/// Unit normals of a film at its sites, outward: of the faces around each, weighed by their angle there over
-/// the square of their longest edge, since short faces tell more. `otherwise`: one per site, kept where a
-/// site is on no face, or on flat ones only.
+/// Unit normals of a film, all of whose vertices are sites, at these, outward: of the faces around each,
+/// weighed by their angle there over the square of their longest edge, since short faces tell more.
+/// `otherwise`: one per site, kept where a site is on no face, or on flat ones only.
 std::vector<Vec3> film_normals(const GuidingSurface& film, std::vector<Vec3> otherwise);
 
 }  // namespace filmsticking

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "corner_angle.h"
 #include "nearest.h"
 #include "parallel.h"
 #include "triangle_adjacency.h"
@@ -51,10 +52,6 @@ class Inserter {
   Index from(Index h) const { return film_.triangles[h / 3][h % 3]; }
   void link(Index g, Index h) { twin_[g] = h, twin_[h] = g; }
 
-  static double angle(const Vec3& apex, const Vec3& p, const Vec3& q) {
-    const Vec3 u = p - apex, v = q - apex;
-    return std::atan2(u.cross(v).norm(), u.dot(v));
-  }
   static Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 n = (b - a).cross(c - a);
     const double l = n.norm();
@@ -98,9 +95,9 @@ class Inserter {
       const std::array<Vec3, 4> around{
           face_normal(twin_[next_in_face(h)] / 3), face_normal(twin_[prev_in_face(h)] / 3),
           face_normal(twin_[next_in_face(g)] / 3), face_normal(twin_[prev_in_face(g)] / 3)};
-      const double before = price(angle(c, a, b) + angle(d, a, b),
+      const double before = price(corner_angle(c, a, b) + corner_angle(d, a, b),
                                   bend(unit_normal(a, b, c), unit_normal(b, a, d), around, false));
-      const double after = price(angle(a, c, d) + angle(b, c, d),
+      const double after = price(corner_angle(a, c, d) + corner_angle(b, c, d),
                                  bend(unit_normal(a, d, c), unit_normal(b, c, d), around, true));
       if (!(after < before - 1e-9) || joined(prev_in_face(h), id)) continue;
       flip(h);

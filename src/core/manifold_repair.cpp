@@ -9,15 +9,11 @@
 #include <queue>
 #include <utility>
 
+#include "corner_angle.h"
 #include "triangle_adjacency.h"
 
 namespace filmsticking {
 namespace {
-
-double angle_at(const Vec3& apex, const Vec3& p, const Vec3& q) {
-  const Vec3 u = p - apex, v = q - apex;
-  return std::atan2(u.cross(v).norm(), u.dot(v));
-}
 
 // Cost of a triangle in a filled hole: the circumradius, so that holes are closed by compact triangles.
 double circumradius2(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -489,7 +485,7 @@ double ring_roughness(const Vec3& centre, const std::vector<Vec3>& ring) {
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const Vec3 &p = ring[k], &q = ring[(k + 1) % ring.size()];
     normals[k] = (p - centre).cross(q - centre).normalized();
-    angles[k] = angle_at(centre, p, q);
+    angles[k] = corner_angle(centre, p, q);
     mean += angles[k] * normals[k];
   }
   if (mean.squaredNorm() > 0) mean.normalize();

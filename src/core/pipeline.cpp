@@ -310,7 +310,7 @@ bool Pipeline::settled(const Candidate& candidate) const {
 // Normals fitted to neighbourhoods are wrong where these reach across a thin wall or an edge; the film's own
 // are better there, once it is about right: with them as evidence, it is cut again. What comes of it counts
 // only if it is better by the measure that knows the fitted normals, is not more complex, for a new handle
-// may be a leak, and gives up no sites.
+// may be a leak, and gives up hardly any sites.
 Pipeline::Candidate Pipeline::refined(Candidate best) {
   for (int round = 0; round < kRefinements && !best.labels.empty(); ++round) {
     monitor_.enter("local evidence", monitor_.share());
@@ -342,7 +342,7 @@ Pipeline::Candidate Pipeline::carve() {
   Candidate best = cut(signed_field(mesh_, evidence_, std::move(guess_), monitor_.cancel()), kConviction);
   if (best.weak <= kLittleTrouble && !best.film.triangles.empty()) return best;
   best = judged(std::move(best));
-  bool two = false;  // the best is one of two sides: with its normals there still is no inside
+  bool two_sided = false;  // with its normals there still is no inside
   if (best.weak > kNoInside) {
     monitor_.enter("two sides", monitor_.share());
     Candidate sides = judged(cut(two_sides(mesh_, sites_.perturbed, evidence_, geometry_, monitor_.cancel()),
@@ -353,17 +353,17 @@ Pipeline::Candidate Pipeline::carve() {
       // A plain open surface: nothing else can be better, and all else takes long there.
       const bool plain = sides.weak <= kLittleTrouble && complexity <= kLittleTrouble;
       best = std::move(sides);
-      two = true;
+      two_sided = true;
       if (plain) return best;
     }
   }
   for (const double width : kCarveWidths) {
     monitor_.enter("carving", monitor_.share());
     Candidate other = judged(cut(carve_belief(width, kCarveSlope), kConviction));
-    if (other.score() < best.score()) best = std::move(other), two = false;
+    if (other.score() < best.score()) best = std::move(other), two_sided = false;
   }
   best = without_gaps(std::move(best));
-  if (!two) best = refined(std::move(best));
+  if (!two_sided) best = refined(std::move(best));
   const auto enough = static_cast<std::int64_t>(kMuchTrouble * static_cast<double>(sites_.size()));
   if (!best.film.triangles.empty() && best.quality.off <= enough) return best;
   Candidate film = finish(film_from_outside());
