@@ -211,6 +211,7 @@ Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conv
   ManifoldLabels manifold(mesh_, geometry_, costs, labels, monitor_.cancel());
   manifold.repair(exempt(labels));
   manifold.warp(aim);
+  manifold.unfold();
   if (options_.insert_leftover) manifold.reach();
   candidate.inserted = manifold.counts().reached;
   candidate.film = film_of(labels);
@@ -238,7 +239,8 @@ Pipeline::Candidate Pipeline::without_gaps(Candidate candidate) {
   const LabelCosts costs{evidence_.cost, std::move(candidate.hold), off_prices()};
   ManifoldLabels manifold(mesh_, geometry_, costs, candidate.labels, monitor_.cancel());
   manifold.repair(exempt(candidate.labels));  // it takes the census
-  manifold.fill_gaps();
+  manifold.fill_gaps(sites_.perturbed);
+  manifold.unfold();
   if (options_.insert_leftover) manifold.reach();
   candidate.inserted += manifold.counts().reached;
   candidate.film = film_of(candidate.labels);

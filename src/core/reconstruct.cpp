@@ -194,6 +194,9 @@ void run(const PointsView& points, const Options& options, const Execution& exec
     if (!topology->check.manifold()) return !film.triangles.empty();  // told of below
     if (options.sharp_edges) {
       monitor.enter("sharp edges", monitor.share());
+      // Where sites lie on a plane, perturbed ones could be turned over.
+      parallel_each(film.site.size(),
+                    [&](std::size_t v) { film.positions[v] = sites.exact(points, film.site[v]); });
       report.flips = flip_to_features(film, topology->twin, monitor.cancel());
       topology->check = check_manifold_with_twins(film.triangles, static_cast<Index>(film.site.size()), topology->twin);
       if (!topology->check.manifold()) return true;

@@ -97,13 +97,17 @@ void expect_bounds(const Setting& s, std::vector<char> inside, const std::vector
   labels.warp(aim);
   EXPECT_EQ(differences(inside, aim), apart - counts.warped);  // one less with each
 
+  labels.unfold();
+  const auto flat = std::count_if(s.mesh.flat.begin(), s.mesh.flat.end(), [](int side) { return side != 0; });
+  EXPECT_LE(counts.unfolded, static_cast<std::int64_t>(flat));
+
   const std::vector<char> warped = inside;
   labels.reach();
   EXPECT_LE(counts.reached, 8 * sites);
   EXPECT_EQ(counts.reached > 0, differences(warped, inside) > 0);
 
   const std::int64_t euler = s.euler(inside), pieces = s.pieces(inside);
-  labels.fill_gaps();
+  labels.fill_gaps(s.set.perturbed);
   // Of a surface, pieces of both labels are components and one more; Euler's characteristic is twice what
   // there are more components than handles. A plug that is taken leaves neither more pieces nor, in sum, as
   // many.
@@ -137,7 +141,7 @@ TEST(Counters, OfLabelsAreSmallOnCleanClouds) {
     labels.repair();
     labels.warp(s.cut);
     labels.reach();
-    labels.fill_gaps();
+    labels.fill_gaps(s.set.perturbed);
     const LabelCounts& c = labels.counts();
     // The cut of points that are dense beside the shape's features is one already; chance leaves a point or
     // two off.

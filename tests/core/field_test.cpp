@@ -77,6 +77,30 @@ Topology topology(const Setting& s, const std::vector<char>& inside) {
   return result;
 }
 
+// A plate on the axes: its sides are flat, and so are the tetrahedra of four samples of one side.
+TEST(ManifoldLabels, UnfoldLeavesTheTopology) {
+  std::int64_t unfolded = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Setting s(test::box(300, seed, {1, 1, 0.05}));
+    EXPECT_GT(std::count_if(s.mesh.flat.begin(), s.mesh.flat.end(), [](int side) { return side != 0; }), 0);
+    std::vector<char> inside = random_labels(s.mesh, seed);
+    const LabelCosts costs = costs_of(s);
+    ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
+    manifold.repair();
+    const Topology before = topology(s, inside);
+    manifold.unfold();
+    ASSERT_TRUE(euler_if_manifold(s, inside)) << seed;
+    const Topology after = topology(s, inside);
+    EXPECT_EQ(after.handles, before.handles) << seed;
+    EXPECT_EQ(after.components, before.components) << seed;
+    unfolded += manifold.counts().unfolded;
+    const std::int64_t once = manifold.counts().unfolded;
+    manifold.unfold();
+    EXPECT_EQ(manifold.counts().unfolded, once) << seed;
+  }
+  EXPECT_GT(unfolded, 0);
+}
+
 TEST(ManifoldLabels, AreAManifoldInEveryRoomForAnyLabels) {
   std::int64_t singular = 0, reached = 0, tunnels = 0, tears = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
@@ -91,7 +115,7 @@ TEST(ManifoldLabels, AreAManifoldInEveryRoomForAnyLabels) {
     manifold.reach();
     EXPECT_TRUE(euler_if_manifold(s, inside)) << seed;
     const Topology before = topology(s, inside);
-    manifold.fill_gaps();
+    manifold.fill_gaps(s.set.perturbed);
     ASSERT_TRUE(euler_if_manifold(s, inside)) << seed;
     const Topology after = topology(s, inside);
     EXPECT_LE(after.handles, before.handles) << seed;
@@ -134,7 +158,7 @@ TEST(ManifoldLabels, ATunnelThatNoSamplesLineIsFilled) {
     const auto before = euler_if_manifold(s, inside);
     ASSERT_GT(tetrahedral_boundary(s.mesh, inside).size(), 5000u) << seed;
     if (before != 0) continue;  // the repair filled it, or left more to do
-    manifold.fill_gaps();
+    manifold.fill_gaps(s.set.perturbed);
     ++tunnels, filled += euler_if_manifold(s, inside) == 2;
   }
   EXPECT_GE(tunnels, 3);
@@ -151,7 +175,7 @@ TEST(ManifoldLabels, ATunnelThatSamplesLineIsKept) {
     manifold.repair();
     ASSERT_GT(tetrahedral_boundary(s.mesh, inside).size(), 2500u);
     ASSERT_EQ(euler_if_manifold(s, inside), 0);
-    manifold.fill_gaps();
+    manifold.fill_gaps(s.set.perturbed);
     EXPECT_EQ(euler_if_manifold(s, inside), 0);
   }
 }
@@ -178,7 +202,7 @@ TEST(ManifoldLabels, ATornWallIsJoined) {
     ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
     manifold.repair();
     if (topology(s, inside).components == 1) continue;  // the repair joined it
-    manifold.fill_gaps();
+    manifold.fill_gaps(s.set.perturbed);
     ++torn, joined += topology(s, inside).components == 1;
   }
   EXPECT_GE(torn, 3);
@@ -199,7 +223,7 @@ TEST(ManifoldLabels, PartsCloseToEachOtherStayApart) {
     ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
     manifold.repair();
     ASSERT_EQ(topology(s, inside).components, 2) << seed;
-    manifold.fill_gaps();
+    manifold.fill_gaps(s.set.perturbed);
     EXPECT_EQ(topology(s, inside).components, 2) << seed;
   }
 }
@@ -237,7 +261,7 @@ TEST(ManifoldLabels, Regression_OfSitesThatAreAllNeighboursTheWorkIsBounded) {
   EXPECT_TRUE(euler_if_manifold(s, inside));
   manifold.warp(random_labels(s.mesh, 2));
   manifold.reach();
-  manifold.fill_gaps();
+  manifold.fill_gaps(s.set.perturbed);
   EXPECT_TRUE(euler_if_manifold(s, inside));
   EXPECT_GT(manifold.counts().stripped, 0);  // the bound was met
   EXPECT_LE(manifold.counts().visits, 11000 * static_cast<std::int64_t>(points.size()));

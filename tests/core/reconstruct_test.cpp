@@ -151,6 +151,28 @@ TEST(Reconstruct, ACarvedSurfaceNeverCutsItself) {
   EXPECT_GT(carved, 40);
 }
 
+// Its sides are flat: tetrahedra of their points have no inside.
+TEST(Reconstruct, Regression_FlatSidesDoNotFoldOver) {
+  for (const auto& [seed, thickness] : {std::pair(54, 1), std::pair(50, 3)}) {  // in spacings
+    const auto points =
+        test::box(1500, static_cast<std::uint64_t>(seed), {1, 1, thickness * std::sqrt(2.0 / 1500)});
+    const Result result = reconstruct(points);
+    ASSERT_EQ(result.status, Status::Ok);
+    EXPECT_FALSE(cuts_itself(mesh_of(result, points))) << seed;
+  }
+}
+
+// One side of the wall has a large gap, half of which samples of the other fill.
+TEST(Reconstruct, Regression_ThinPlatesHaveNoTunnelAFacetWide) {
+  for (const std::uint64_t seed : {52, 60}) {
+    const auto points = test::box(4000, seed, {1, 1, 0.5 * std::sqrt(2.0 / 4000)});
+    const Result result = reconstruct(points);
+    ASSERT_EQ(result.status, Status::Ok);
+    EXPECT_EQ(result.report.genus, 0) << seed;
+    EXPECT_EQ(result.report.components, 1) << seed;
+  }
+}
+
 TEST(Reconstruct, FindsTheTopology) {
   struct Case {
     const char* name;

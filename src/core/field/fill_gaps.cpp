@@ -13,25 +13,36 @@ namespace {
 // Circumradii, in the largest spacing of the corners, up to which tetrahedra outside are taken for a part of
 // a plug, the narrowest first. Two sides of a thin wall have gaps of up to four spacings at the same place.
 constexpr double kPlugRadii[] = {1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
+// The same of a facet of a cap. Wide tetrahedra have narrow facets where one side of a wall has a large gap
+// and samples of the other fill half of it.
+constexpr double kCapRadii[] = {0.5, 0.75, 1};
 // A larger plug fills no chance gap.
 constexpr std::size_t kLargestPlug = 3000;
 // What filling a tunnel is worth, in sites off the surface. A plug has two caps, which the votes are against
 // where the tunnel is real, and takes a wall away, which they are for then: that costs more.
 constexpr double kTunnelWorth = 3;
+// What a cap costs is known when its surroundings are at rest. More rounds than a tetrahedron is wide lead
+// away from it.
+constexpr int kRelaxRounds = 10;
+// What is worth a move then, in sites off the surface: more than rounding.
+constexpr double kRelaxGain = 1e-6;
 // What a piece less is worth. Two parts may lie close to each other, so this is little: in a tear the votes
 // are for a plug, or hardly against it.
 constexpr double kTearWorth = 0.5;
 
 }  // namespace
 
-// The tetrahedra outside that are small enough, by connected parts in rising order of size.
+// Has a tetrahedron a circumsphere of less than this radius, in the largest spacing of its corners?
+bool ManifoldLabels::narrow(Index t, double radius) const {
+  if (mesh_.tets.infinite(t)) return false;
+  double spacing = 0;
+  for (Index v : mesh_.tets.corners[t]) spacing = std::max(spacing, geometry_.spacing[v]);
+  return mesh_.circumradius[t] < radius * spacing;
+}
+
+// The narrow tetrahedra outside, by connected parts in rising order of size.
 std::vector<ManifoldLabels::Move> ManifoldLabels::plugs(double radius) const {
-  const auto small = [&](Index t) {
-    if (inside_[t] || mesh_.tets.infinite(t)) return false;
-    double spacing = 0;
-    for (Index v : mesh_.tets.corners[t]) spacing = std::max(spacing, geometry_.spacing[v]);
-    return mesh_.circumradius[t] < radius * spacing;
-  };
+  const auto small = [&](Index t) { return !inside_[t] && narrow(t, radius); };
   std::vector<char> met(mesh_.size(), 0);
   std::vector<Move> parts;
   for (std::size_t s = 0; s < mesh_.size(); ++s) {
@@ -136,7 +147,8 @@ void ManifoldLabels::unite_around(const Move& part) {
 }
 
 // Fills a plug and repairs what that makes singular, if what it mends is worth it all; else changes nothing.
-void ManifoldLabels::fill(const Move& plug) {
+// `relax`: what lies around it may follow, without a change of topology.
+void ManifoldLabels::fill(const Move& plug, bool relax) {
   const auto worth = [&](int handles, int pieces) {
     return handles < 0 || pieces < 0 ? 0 : (kTunnelWorth * handles + kTearWorth * pieces) * site_cost_;
   };
@@ -169,6 +181,24 @@ void ManifoldLabels::fill(const Move& plug) {
     }
     singular.swap(next);
   }
+  const auto come_to_rest = [&] {
+    std::vector<Index> front = changed;
+    for (int round = 0; round < kRelaxRounds && !front.empty(); ++round) {
+      next = front;
+      for (Index t : front)
+        next.insert(next.end(), mesh_.tets.neighbours[t].begin(), mesh_.tets.neighbours[t].end());
+      unique_sorted(next);
+      front.clear();
+      for (Index t : next) {
+        const Move move{t};
+        if (!allowed(move) || !grows(move)) continue;
+        const Effect e = effect(move);
+        if (e.surplus != 0 || e.euler != 0 || e.cost > -kRelaxGain * site_cost_) continue;
+        make(move, singular);
+        front.push_back(t);
+      }
+    }
+  };
   if (manifold && !parted(changed, 0) && !parted(changed, 1)) {
     bool present[2] = {false, false};
     for (Index t : changed) {
@@ -178,7 +208,8 @@ void ManifoldLabels::fill(const Move& plug) {
     // Components of the surface are pieces of both labels less one; handles, components less half of the
     // Euler characteristic.
     const int pieces = pieces_around(changed) - present[0] - present[1], handles = euler / 2 + pieces;
-    if (cost < worth(handles, pieces) && handles + pieces > 0) {
+    if (relax && handles + pieces > 0 && cost >= worth(handles, pieces)) come_to_rest();
+    if (handles + pieces > 0 && cost < worth(handles, pieces)) {
       unite_around(changed);
       counts_.tunnels += handles > 0;
       counts_.tears += pieces > 0;
@@ -190,20 +221,23 @@ void ManifoldLabels::fill(const Move& plug) {
   for (Index v : sites_of(changed)) census_[v] = census(v);
 }
 
-void ManifoldLabels::fill_gaps() {
+void ManifoldLabels::fill_gaps(const std::vector<Vec3>& sites) {
   // Where it is a manifold now it stays one.
   for (std::size_t v = 0; v < exempt_.size(); ++v)
     if (census_[v].surplus() == 0) exempt_[v] = 0;
   alias_.resize(static_cast<std::size_t>(label_pieces(mesh_, inside_, piece_)));
   std::iota(alias_.begin(), alias_.end(), 0);
-  for (const double radius : kPlugRadii)
-    for (const Move& plug : plugs(radius)) {
+  const auto fill_all = [&](const std::vector<Move>& plugs, bool relax) {
+    for (const Move& plug : plugs) {
       cancel_();
       if (spent()) return;
       // Another plug's repair may have been here.
       const bool whole = std::none_of(plug.begin(), plug.end(), [&](Index t) { return inside_[t]; });
-      if (whole && grows(plug)) fill(plug);
+      if (whole && grows(plug)) fill(plug, relax);
     }
+  };
+  for (const double radius : kPlugRadii) fill_all(plugs(radius), false);
+  for (const double radius : kCapRadii) fill_all(caps(sites, radius), true);
 }
 
 }  // namespace filmsticking

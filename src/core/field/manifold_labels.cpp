@@ -37,6 +37,9 @@ constexpr std::int64_t kMostVisits = 10000;
 // A site around which so often something was stripped off is stripped as well.
 constexpr char kMostLooks = 3;
 
+// So many flat tetrahedra on each other are a flat cloud.
+constexpr std::size_t kFlatPile = 16;
+
 // A star of no more tetrahedra is searched as a list.
 constexpr std::size_t kQuickStar = 96;
 
@@ -65,11 +68,6 @@ ManifoldLabels::ManifoldLabels(const TetrahedralMesh& mesh, const SiteGeometry& 
 // visits are counted by one thread, so this comes at the same move for any number of threads.
 bool ManifoldLabels::spent() const {
   return counts_.visits > kMostVisits * static_cast<std::int64_t>(seed_.size());
-}
-
-int ManifoldLabels::corner(Index t, Index v) const {
-  const auto& c = mesh_.tets.corners[t];
-  return c[0] == v ? 0 : c[1] == v ? 1 : c[2] == v ? 2 : 3;
 }
 
 ManifoldLabels::Census ManifoldLabels::census(Index v) {
@@ -106,25 +104,6 @@ ManifoldLabels::Census ManifoldLabels::census(Index v) {
   first_.push_back(star_.size());
   counts_.visits += static_cast<std::int64_t>(star_.size());
   return result;
-}
-
-// Calls visit(u) for the tetrahedra around the edge of t between its corners a and b, other than t, until it
-// says false. Ends: the tetrahedra around an edge form a ring.
-template <class Visit>
-void ManifoldLabels::around_edge(Index t, int a, int b, const Visit& visit) {
-  const auto& corners = mesh_.tets.corners[t];
-  const Index v = corners[a], w = corners[b];
-  int leave = 0;
-  while (leave == a || leave == b) ++leave;
-  Index last = corners[6 - a - b - leave];  // the corner that the next tetrahedron shares beside v and w
-  for (Index u = mesh_.tets.neighbours[t][leave]; u != t && visit(u);) {
-    ++counts_.visits;
-    const auto& c = mesh_.tets.corners[u];
-    const int out = corner(u, last);
-    for (const Index x : c)
-      if (x != v && x != w && x != c[out]) last = x;
-    u = mesh_.tets.neighbours[u][out];
-  }
 }
 
 // Are there tetrahedra of both labels around an edge, but for t?
@@ -497,6 +476,55 @@ void ManifoldLabels::warp(const std::vector<char>& aim) {
   }
 }
 
+// Has the surface facets on both sides of a flat tetrahedron? Of a flat cloud there is no other: there it is
+// joined to flat ones only.
+bool ManifoldLabels::folded(Index t) const {
+  const int side = mesh_.flat[t];
+  if (side == 0) return false;
+  int met = 0;
+  for (int k = 0; k < 4; ++k)
+    if (inside_[mesh_.tets.neighbours[t][k]] != inside_[t]) met |= (side >> k & 1) ? 1 : 2;
+  if (met != 3) return false;
+  std::array<Index, kFlatPile> pile{t};
+  std::size_t size = 1;
+  for (std::size_t i = 0; i < size; ++i)
+    for (Index u : mesh_.tets.neighbours[pile[i]]) {
+      if (inside_[u] != inside_[t]) continue;
+      if (!mesh_.flat[u]) return true;
+      if (size < kFlatPile && std::find(pile.begin(), pile.begin() + size, u) == pile.begin() + size)
+        pile[size++] = u;
+    }
+  return false;
+}
+
+// Would it after a move, of those that move and those beside them?
+bool ManifoldLabels::folds(const Move& move) {
+  for (Index t : move) inside_[t] = !inside_[t];
+  const bool any = std::any_of(move.begin(), move.end(), [&](Index t) {
+    const auto& beside = mesh_.tets.neighbours[t];
+    return folded(t) || std::any_of(beside.begin(), beside.end(), [&](Index u) { return folded(u); });
+  });
+  for (Index t : move) inside_[t] = !inside_[t];
+  return any;
+}
+
+void ManifoldLabels::unfold() {
+  std::vector<Index> none;
+  // Ends: a turn leaves a fold less, or is the last.
+  for (bool moved = true; moved;) {
+    moved = false;
+    for (std::size_t s = 0; s < mesh_.size(); ++s) {
+      const Move move{static_cast<Index>(s)};
+      if (!folded(move[0]) || !grows(move) || folds(move)) continue;
+      const Effect e = effect(move);
+      if (e.surplus != 0 || e.euler != 0) continue;
+      apply(move, none);
+      ++counts_.unfolded;
+      moved = true;
+    }
+  }
+}
+
 // The cheapest way to bring v on for less than this share of its worth.
 ManifoldLabels::Move ManifoldLabels::best_reach(Index v, double share) {
   Move best;
@@ -504,7 +532,8 @@ ManifoldLabels::Move ManifoldLabels::best_reach(Index v, double share) {
   const auto consider = [&](Move move) {
     if (!allowed(move) || !grows(move) || least_cost(move, 0) >= best_cost) return;
     const Effect e = effect(move);
-    if (e.surplus == 0 && e.euler == 0 && e.cost < best_cost) best_cost = e.cost, best = std::move(move);
+    if (e.surplus != 0 || e.euler != 0 || e.cost >= best_cost || folds(move)) return;
+    best_cost = e.cost, best = std::move(move);
   };
   census(v);
   const std::vector<Index> star = star_;

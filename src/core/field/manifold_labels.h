@@ -37,6 +37,8 @@ struct LabelCounts {
   std::int64_t tunnels = 0;
   /// Plugs that left fewer pieces: no more than pieces went, as none adds any.
   std::int64_t tears = 0;
+  /// Folds that went: no more than there are flat tetrahedra.
+  std::int64_t unfolded = 0;
   /// Moves that brought single sites on to the surface, which the cut left off as cheaper: a site that sticks out
   /// or lies in a dent of chance. No site more than eight times.
   std::int64_t reached = 0;
@@ -46,14 +48,14 @@ struct LabelCounts {
   std::int64_t visits = 0;
 };
 
-/// Relabels tetrahedra so that the surface between inside and outside is a 2-manifold, in four rooms.
+/// Relabels tetrahedra so that the surface between inside and outside is a 2-manifold, in five rooms.
 ///
 /// Guarantees, whatever the labels and costs:
 ///  - the surface is closed and a manifold. It is one exactly if at every site those tetrahedra of its star
 ///    that are inside are one piece, joined by facets at the site, and those outside are one piece: the two
 ///    parts of a sphere around the site are discs then, and an edge with more than two facets would split one
 ///    of them. So all there is to keep is local;
-///  - it does not cut itself, being part of a triangulation of space;
+///  - it does not cut itself, being part of a triangulation of space, but where tetrahedra are flat;
 ///  - it ends: the repair lowers the number of surplus pieces or else takes from the inside; the warp lowers
 ///    the number of differences; the reach lowers the cost; each plug is tried once;
 ///  - the work is bounded: after 10,000 visits of tetrahedra for each site, far more than a surface takes, all
@@ -74,16 +76,22 @@ class ManifoldLabels {
   /// handles and islands.
   void warp(const std::vector<char>& aim);
 
+  /// Relabels flat tetrahedra of which the surface has facets on both sides, where it folds back on itself, as
+  /// far as that is without a change of topology. A site that only such a fold holds is off then.
+  void unfold();
+
   /// Brings sites off the surface on to it where relabelling one or two tetrahedra at the site does it, keeps
-  /// the topology and costs less than the site is worth (sculpting by Boissonnat 1984, in both directions).
+  /// the topology, makes no fold and costs less than the site is worth (sculpting by Boissonnat 1984, in both
+  /// directions).
   void reach();
 
   /// Fills narrow gaps where that costs less than it is worth: where samples are random, both sides of a thin
   /// wall have a gap at the same place now and then, which leaves a tunnel that no samples line, and a wall
   /// thinner than the spacing may be torn all along a valley. The plugs that are tried are connected parts of
-  /// what is outside and as narrow as a gap; one is taken if it leaves fewer handles or fewer pieces, and not
-  /// more of either.
-  void fill_gaps();
+  /// what is outside and as narrow as a gap, and what lies on caps: connected facets that are, where both sides
+  /// are wide. One is taken if it leaves fewer handles or fewer pieces, and not more of either. `sites` are the
+  /// corners of the tetrahedra.
+  void fill_gaps(const std::vector<Vec3>& sites);
 
   const LabelCounts& counts() const { return counts_; }
 
@@ -104,7 +112,10 @@ class ManifoldLabels {
     double cost = 0;
   };
 
-  int corner(Index t, Index v) const;
+  int corner(Index t, Index v) const {
+    const auto& c = mesh_.tets.corners[t];
+    return c[0] == v ? 0 : c[1] == v ? 1 : c[2] == v ? 2 : 3;
+  }
   template <class Visit>
   void around_edge(Index t, int a, int b, const Visit& visit);
   bool mixed(Index t, int a, int b);
@@ -126,16 +137,23 @@ class ManifoldLabels {
   Move bridge(Index v, const std::vector<Index>& star, std::size_t begin, std::size_t end);
   std::vector<Move> moves_at(Index v, bool erode);
   Move best_move(Index v, bool erode);
+  bool folded(Index t) const;
+  bool folds(const Move& move);
   Move best_reach(Index v, double share);
   void lower(std::vector<Index> singular, bool erode);
   bool spent() const;
   void strip();
+  bool narrow(Index t, double radius) const;
   std::vector<Move> plugs(double radius) const;
+  std::vector<Index> narrow_facets(const std::vector<Vec3>& sites, double radius) const;
+  std::vector<std::vector<Index>> closing_parts(const std::vector<Index>& facets);
+  bool dent(const Move& side, const std::vector<Index>& cap);
+  std::vector<Move> caps(const std::vector<Vec3>& sites, double radius);
   bool parted(const Move& part, char label);
   Index piece(Index t);
   int pieces_around(const Move& part);
   void unite_around(const Move& part);
-  void fill(const Move& plug);
+  void fill(const Move& plug, bool relax);
 
   const TetrahedralMesh& mesh_;
   const SiteGeometry& geometry_;
@@ -157,6 +175,25 @@ class ManifoldLabels {
   // While gaps are filled, [tetrahedron]: a name of its piece; and [name]: another of the same piece, or itself.
   std::vector<Index> piece_, alias_;
 };
+
+// Calls visit(u) for the tetrahedra around the edge of t between its corners a and b, other than t, until it
+// says false. Ends: the tetrahedra around an edge form a ring.
+template <class Visit>
+void ManifoldLabels::around_edge(Index t, int a, int b, const Visit& visit) {
+  const auto& corners = mesh_.tets.corners[t];
+  const Index v = corners[a], w = corners[b];
+  int leave = 0;
+  while (leave == a || leave == b) ++leave;
+  Index last = corners[6 - a - b - leave];  // the corner that the next tetrahedron shares beside v and w
+  for (Index u = mesh_.tets.neighbours[t][leave]; u != t && visit(u);) {
+    ++counts_.visits;
+    const auto& c = mesh_.tets.corners[u];
+    const int out = corner(u, last);
+    for (const Index x : c)
+      if (x != v && x != w && x != c[out]) last = x;
+    u = mesh_.tets.neighbours[u][out];
+  }
+}
 
 /// Sorts, and leaves one of each.
 inline void unique_sorted(std::vector<Index>& v) {

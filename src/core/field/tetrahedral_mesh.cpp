@@ -7,9 +7,13 @@
 #include <utility>
 
 #include "parallel.h"
+#include "site_set.h"
 
 namespace filmsticking {
 namespace {
+
+// One that is thinner may be flat, or inside out, in exact coordinates: more than its corners were moved.
+constexpr double kFlat = 4 * kPerturbation;
 
 // Relative to the first corner, which keeps the digits where the tetrahedron is small.
 Vec3 circumcentre(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -19,6 +23,25 @@ Vec3 circumcentre(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   if (volume6 == 0) return (a + b + c + d) / 4;
   return a +
          (u.squaredNorm() * vw + v.squaredNorm() * w.cross(u) + w.squaredNorm() * u.cross(v)) / (2 * volume6);
+}
+
+// The facets on the side of the largest, as bits, if the tetrahedron is thinner than kFlat; else 0.
+std::uint8_t flat_side(const std::array<Vec3, 4>& p) {
+  const Vec3 u = p[1] - p[0], v = p[2] - p[0], w = p[3] - p[0];
+  const double volume6 = std::abs(u.dot(v.cross(w)));
+  const double square = std::max({u.squaredNorm(), v.squaredNorm(), w.squaredNorm()});
+  if (volume6 > kFlat * 4 * square) return 0;  // no edge is longer than twice those
+  std::array<Vec3, 4> normal;
+  int largest = 0;
+  for (int k = 0; k < 4; ++k) {
+    const Vec3& o = p[kFacet[k][0]];
+    normal[k] = (p[kFacet[k][1]] - o).cross(p[kFacet[k][2]] - o);
+    if (normal[k].squaredNorm() > normal[largest].squaredNorm()) largest = k;
+  }
+  if (volume6 > kFlat * normal[largest].norm()) return 0;
+  int side = 0;
+  for (int k = 0; k < 4; ++k) side |= (normal[k].dot(normal[largest]) > 0 ? 1 : 0) << k;
+  return static_cast<std::uint8_t>(side);
 }
 
 int corner_index(const std::array<Index, 4>& corners, Index v) {
@@ -36,6 +59,7 @@ TetrahedralMesh make_tetrahedral_mesh(Tetrahedra tets, const std::vector<Vec3>& 
   mesh.mirror.resize(n);
   mesh.circumcentre.resize(n);
   mesh.circumradius.resize(n);
+  mesh.flat.resize(n);
   parallel_each(n, [&](std::size_t t) {
     const auto& corners = mesh.tets.corners[t];
     for (int k = 0; k < 4; ++k) {
@@ -55,9 +79,12 @@ TetrahedralMesh make_tetrahedral_mesh(Tetrahedra tets, const std::vector<Vec3>& 
                  &c = sites[corners[kFacet[infinite][2]]];
       mesh.circumcentre[t] = (b - a).cross(c - a).normalized();
       mesh.circumradius[t] = std::numeric_limits<double>::infinity();
+      mesh.flat[t] = 0;
     } else {
-      mesh.circumcentre[t] =
-          circumcentre(sites[corners[0]], sites[corners[1]], sites[corners[2]], sites[corners[3]]);
+      const std::array<Vec3, 4> p = {sites[corners[0]], sites[corners[1]], sites[corners[2]],
+                                     sites[corners[3]]};
+      mesh.circumcentre[t] = circumcentre(p[0], p[1], p[2], p[3]);
+      mesh.flat[t] = flat_side(p);
       mesh.circumradius[t] = (mesh.circumcentre[t] - sites[corners[0]]).norm();
     }
   });

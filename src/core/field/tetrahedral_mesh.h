@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "power_diagram.h"
@@ -17,6 +18,9 @@ struct TetrahedralMesh {
   UnsetVector<std::array<Index, 4>> mirror;  ///< across facet k: the neighbour's facet, as 4 * tet + facet
   UnsetVector<Vec3> circumcentre;    ///< for an infinite one: the outward unit normal of its hull facet
   UnsetVector<double> circumradius;  ///< for an infinite one: infinity
+  /// The facets on one side, as bits, of one that may be flat in exact coordinates; 0: it is not flat. Facets
+  /// on different sides overlap, those on one do not.
+  UnsetVector<std::uint8_t> flat;
 
   std::size_t size() const { return tets.size(); }
 };
