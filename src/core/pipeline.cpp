@@ -44,9 +44,12 @@ constexpr double kComplexityPrice = 5;
 constexpr double kBridgePrice = 0.5;
 // What a site off the surface costs, in areas of one sample.
 constexpr double kOffPrice = 5;
-// Widths up to which carving does not enter, in spacings, and how much surer it is of the outside for a width
-// one spacing larger. The slow rise leaves chance gaps in a thin wall to the evidence.
-constexpr double kCarveWidths[] = {2, 4};
+// Widths up to which carving does not enter, in spacings, and the conviction with which it is believed then;
+// and how much surer it is of the outside for a width one spacing larger. The slow rise leaves chance gaps in
+// a thin wall to the evidence. Where walls are thin nearly everywhere, a weak conviction gives them up.
+constexpr struct {
+  double width, conviction;
+} kCarvings[] = {{2, 0.1}, {4, 0.1}, {2, 0.5}, {2.5, 0.5}};
 constexpr double kCarveSlope = 0.2;
 // How much surer of the inside for a width one spacing smaller.
 constexpr double kInsideSlope = 3;
@@ -359,9 +362,11 @@ Pipeline::Candidate Pipeline::carve() {
       if (plain) return best;
     }
   }
-  for (const double width : kCarveWidths) {
+  for (const auto& carving : kCarvings) {
+    // It was never better than two sides.
+    if (two_sided && carving.conviction > kConviction) continue;
     monitor_.enter("carving", monitor_.share());
-    Candidate other = judged(cut(carve_belief(width, kCarveSlope), kConviction));
+    Candidate other = judged(cut(carve_belief(carving.width, kCarveSlope), carving.conviction));
     if (other.score() < best.score()) best = std::move(other), two_sided = false;
   }
   best = without_gaps(std::move(best));

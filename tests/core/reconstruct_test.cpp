@@ -173,6 +173,18 @@ TEST(Reconstruct, Regression_ThinPlatesHaveNoTunnelAFacetWide) {
   }
 }
 
+// Between hills it is half a spacing thick, where a weak belief gives it up.
+TEST(Reconstruct, Regression_AThinReliefIsNotTornInItsValleys) {
+  for (const std::uint64_t seed : {0, 15, 16, 17, 21, 24}) {
+    const auto points = test::relief(2000, seed, 0.5 * std::sqrt(2.2 / 2000));
+    const Result result = reconstruct(points);
+    ASSERT_EQ(result.status, Status::Ok);
+    EXPECT_EQ(result.report.genus, 0) << seed;
+    EXPECT_EQ(result.report.components, 1) << seed;
+    EXPECT_GE(result.report.interpolated, 1998) << seed;
+  }
+}
+
 TEST(Reconstruct, FindsTheTopology) {
   struct Case {
     const char* name;

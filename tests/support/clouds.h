@@ -97,6 +97,34 @@ inline std::vector<Point> box(int n, std::uint64_t seed, Point size) {
   return points;
 }
 
+/// Uniform on a plate of width 1 with four by four hills on its upper side, a tenth high; `thickness` between
+/// the hills.
+inline std::vector<Point> relief(int n, std::uint64_t seed, double thickness) {
+  Random random(seed);
+  const auto height = [&](double u, double v) {
+    return thickness + 0.1 * (1 - std::cos(8 * M_PI * u)) * (1 - std::cos(8 * M_PI * v)) / 4;
+  };
+  const double steepest = 2.2, sides = 4 * thickness;  // steepest: more than area over its shadow
+  std::vector<Point> points;
+  while (static_cast<int>(points.size()) < n) {
+    const double u = random.uniform(), v = random.uniform();
+    const double where = random.uniform() * (1 + steepest + sides), h = 1e-4;
+    if (where < 1) {
+      points.push_back({u, v, 0});
+    } else if (where < 1 + steepest) {
+      const double z = height(u, v), du = (height(u + h, v) - z) / h, dv = (height(u, v + h) - z) / h;
+      if (where - 1 < std::sqrt(1 + du * du + dv * dv)) points.push_back({u, v, z});
+    } else {
+      const double end = random.below(2);
+      if (random.below(2))
+        points.push_back({u, end, v * thickness});
+      else
+        points.push_back({end, u, v * thickness});
+    }
+  }
+  return points;
+}
+
 inline std::vector<Point> grid(int n) {
   std::vector<Point> points;
   for (int x = 0; x < n; ++x)
