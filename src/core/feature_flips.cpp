@@ -26,8 +26,8 @@ constexpr float kLeastGain = 0.02F, kNoisy = 0.25F;
 // What is usual at a vertex: of the bends of its edges, this quantile; and of these, the median over the
 // vertex and those around it.
 constexpr float kUsual = 0.25F;
-// Faces nearer to a flip's tetrahedron than this may meet it, in units of the box that holds the sites. More
-// than sites are perturbed.
+// Faces nearer to a flip's tetrahedron than this may meet it, in units of the box that holds the sites: more
+// than float coordinates are rounded.
 constexpr double kMargin = 1e-7;
 // Most flips are made in the first rounds. They end by themselves, since every flip lowers a sum; but there
 // are films on which only one flip a round could be made.

@@ -11,16 +11,10 @@
 
 #include "corner_angle.h"
 #include "triangle_adjacency.h"
+#include "triangle_circle.h"
 
 namespace filmsticking {
 namespace {
-
-// Cost of a triangle in a filled hole: the circumradius, so that holes are closed by compact triangles.
-double circumradius2(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double la = (b - c).squaredNorm(), lb = (c - a).squaredNorm(), lc = (a - b).squaredNorm();
-  const double area2 = (b - a).cross(c - a).squaredNorm();
-  return area2 > 0 ? la * lb * lc / (4 * area2) : std::numeric_limits<double>::max();
-}
 
 // What a ring loses, in units of its roughness, when all its neighbours have chosen another layer.
 constexpr double kCoherence = 2;

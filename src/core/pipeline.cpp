@@ -49,7 +49,7 @@ constexpr double kOffPrice = 5;
 // a thin wall to the evidence. Where walls are thin nearly everywhere, a weak conviction gives them up.
 constexpr struct {
   double width, conviction;
-} kCarvings[] = {{2, 0.1}, {4, 0.1}, {2, 0.5}, {2.5, 0.5}};
+} kCarvings[] = {{2, kConviction}, {4, kConviction}, {2, 0.5}, {2.5, 0.5}};
 constexpr double kCarveSlope = 0.2;
 // How much surer of the inside for a width one spacing smaller.
 constexpr double kInsideSlope = 3;
@@ -339,9 +339,9 @@ Pipeline::Candidate Pipeline::refined(Candidate best) {
   return best;
 }
 
-// By local evidence alone; where its first cut leaves many sites off, also by carving at a few widths, and
-// where there is no telling inside from outside (open surfaces), by the film from the sphere. The best of
-// these is cut again by its own normals.
+// By local evidence alone; where its first cut leaves many sites off, also by carving at a few widths and
+// convictions, and where there is no telling inside from outside (open surfaces), by the film from the
+// sphere. The best of these is cut again by its own normals.
 Pipeline::Candidate Pipeline::carve() {
   monitor_.enter("signed field", 0.25);
   Candidate best = cut(signed_field(mesh_, evidence_, std::move(guess_), monitor_.cancel()), kConviction);
@@ -363,7 +363,7 @@ Pipeline::Candidate Pipeline::carve() {
     }
   }
   for (const auto& carving : kCarvings) {
-    // It was never better than two sides.
+    // Of slabs and shells it made nothing better than two sides, and it takes as long again.
     if (two_sided && carving.conviction > kConviction) continue;
     monitor_.enter("carving", monitor_.share());
     Candidate other = judged(cut(carve_belief(carving.width, kCarveSlope), carving.conviction));

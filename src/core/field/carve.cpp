@@ -7,6 +7,7 @@
 #include <queue>
 
 #include "parallel.h"
+#include "triangle_circle.h"
 
 namespace filmsticking {
 namespace {
@@ -25,9 +26,7 @@ double gate_width(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
   const bool own_side_u = infinite_u || normal.dot(mesh.circumcentre[u] - a) >= 0;
   double radius = std::min(mesh.circumradius[t], mesh.circumradius[u]);
   if (own_side_t && own_side_u) {
-    const double area2 = normal.squaredNorm();
-    if (area2 > 0)
-      radius = std::sqrt((b - c).squaredNorm() * (c - a).squaredNorm() * (a - b).squaredNorm() / (4 * area2));
+    if (normal.squaredNorm() > 0) radius = std::sqrt(circumradius2(a, b, c));
   }
   // The largest of the corners' spacings: a coarse region's gates must not look wide beside a fine one.
   return radius / std::max({spacing[i], spacing[j], spacing[l], 1e-300});

@@ -236,8 +236,10 @@ void ManifoldLabels::fill_gaps(const std::vector<Vec3>& sites) {
       if (whole && grows(plug)) fill(plug, relax);
     }
   };
-  for (const double radius : kPlugRadii) fill_all(plugs(radius), false);
-  for (const double radius : kCapRadii) fill_all(caps(sites, radius), true);
+  for (const double radius : kPlugRadii)
+    if (!spent()) fill_all(plugs(radius), false);
+  for (const double radius : kCapRadii)
+    if (!spent()) fill_all(caps(sites, radius), true);
 }
 
 }  // namespace filmsticking

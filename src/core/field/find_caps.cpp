@@ -9,6 +9,7 @@
 
 #include "disjoint_sets.h"
 #include "manifold_labels.h"
+#include "triangle_circle.h"
 
 namespace filmsticking {
 namespace {
@@ -29,9 +30,9 @@ std::vector<Index> ManifoldLabels::narrow_facets(const std::vector<Vec3>& sites,
     const Index i = c[kFacet[k][0]], j = c[kFacet[k][1]], l = c[kFacet[k][2]];
     for (Index v : {i, j, l})
       if (v == kNone || census_[v].off()) return false;
-    const Vec3 a = sites[j] - sites[i], b = sites[l] - sites[i];
-    const double spacing = std::max({geometry_.spacing[i], geometry_.spacing[j], geometry_.spacing[l]});
-    return a.norm() * b.norm() * (a - b).norm() < 2 * a.cross(b).norm() * radius * spacing;
+    const double widest =
+        radius * std::max({geometry_.spacing[i], geometry_.spacing[j], geometry_.spacing[l]});
+    return circumradius2(sites[i], sites[j], sites[l]) < widest * widest;
   };
   std::vector<Index> facets;
   for (std::size_t s = 0; s < mesh_.size(); ++s) {

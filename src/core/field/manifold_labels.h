@@ -57,7 +57,7 @@ struct LabelCounts {
 ///    of them. So all there is to keep is local;
 ///  - it does not cut itself, being part of a triangulation of space, but where tetrahedra are flat;
 ///  - it ends: the repair lowers the number of surplus pieces or else takes from the inside; the warp lowers
-///    the number of differences; the reach lowers the cost; each plug is tried once;
+///    the number of differences, unfolding that of folds; the reach lowers the cost; each plug is tried once;
 ///  - the work is bounded: after 10,000 visits of tetrahedra for each site, far more than a surface takes, all
 ///    that is optional is left out, and what is inside is taken away around the sites that are singular still.
 class ManifoldLabels {

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The contract of pcl::FilmstickingPP: options, and what they do.
+#include <gtest/gtest.h>
+#include <pcl/conversions.h>
+
+#include "clouds.h"
+#include "surface.h"
+
+namespace filmsticking::test {
+namespace {
+
+TEST(FilmstickingPP, ACopyIsAnObjectOfItsOwn) {
+  Class first;
+  first.setInputCloud(make_sphere<PointXYZ>(300));
+  first.setMaxRounds(2);
+  Class second = first;
+  second.setProgressCallback([&](double, const char*) { first.cancel(); });
+  EXPECT_EQ(second.getMaxRounds(), 2);
+  EXPECT_EQ(run(second).points.size(), 300u);
+}
+
+TEST(FilmstickingPP, OptionsAreKept) {
+  Class filmsticking;
+  const Options defaults;
+  EXPECT_EQ(filmsticking.getInitialSurface(), defaults.initial_surface);
+  EXPECT_EQ(filmsticking.getVirtualSites(), defaults.virtual_sites);
+  filmsticking.setInitialSurface(InitialSurface::Wrap);
+  filmsticking.setFieldMethod(FieldMethod::Poisson);
+  filmsticking.setRingChoice(RingChoice::Nearest);
+  filmsticking.setVirtualSites(123);
+  filmsticking.setUseWeights(false);
+  filmsticking.setInsertLeftover(false);
+  filmsticking.setOutputBoundary(true);
+  filmsticking.setKeepOutliers(true);
+  filmsticking.setSharpEdges(false);
+  filmsticking.setMaxSteps(7);
+  filmsticking.setMaxRounds(3);
+  filmsticking.setNumberOfThreads(1);
+  const Options& options = filmsticking.getOptions();
+  EXPECT_EQ(options.initial_surface, InitialSurface::Wrap);
+  EXPECT_EQ(options.field, FieldMethod::Poisson);
+  EXPECT_EQ(options.ring, RingChoice::Nearest);
+  EXPECT_EQ(options.virtual_sites, 123);
+  EXPECT_FALSE(options.weights);
+  EXPECT_FALSE(options.insert_leftover);
+  EXPECT_TRUE(options.open_boundary);
+  EXPECT_TRUE(options.keep_outliers);
+  EXPECT_FALSE(options.sharp_edges);
+  EXPECT_EQ(options.max_steps, 7);
+  EXPECT_EQ(options.max_rounds, 3);
+  EXPECT_EQ(options.threads, 1);
+  Class other;
+  other.setOptions(options);
+  EXPECT_EQ(other.getInitialSurface(), InitialSurface::Wrap);
+  EXPECT_EQ(other.getFieldMethod(), FieldMethod::Poisson);
+  EXPECT_EQ(other.getRingChoice(), RingChoice::Nearest);
+  EXPECT_EQ(other.getVirtualSites(), 123);
+  EXPECT_FALSE(other.getUseWeights());
+  EXPECT_FALSE(other.getInsertLeftover());
+  EXPECT_TRUE(other.getOutputBoundary());
+  EXPECT_TRUE(other.getKeepOutliers());
+  EXPECT_FALSE(other.getSharpEdges());
+  EXPECT_EQ(other.getMaxSteps(), 7);
+  EXPECT_EQ(other.getMaxRounds(), 3);
+  EXPECT_EQ(other.getNumberOfThreads(), 1);
+}
+
+TEST(FilmstickingPP, OpensWhereThereAreNoPoints) {
+  const auto whole = make_sphere<PointXYZ>(2000);
+  pcl::PointCloud<PointXYZ>::Ptr half(new pcl::PointCloud<PointXYZ>);
+  for (const PointXYZ& p : *whole)
+    if (p.z > 0) half->push_back(p);
+  Class filmsticking;
+  filmsticking.setInputCloud(half);
+  pcl::PolygonMesh closed, open;
+  filmsticking.reconstruct(closed);
+  ASSERT_EQ(filmsticking.getFaceGaps().size(), closed.polygons.size());
+  EXPECT_TRUE(filmsticking.getReport().closed);
+  filmsticking.setOutputBoundary(true);
+  filmsticking.reconstruct(open);
+  ASSERT_EQ(filmsticking.getFaceGaps().size(), open.polygons.size());
+  EXPECT_FALSE(filmsticking.getReport().closed);
+  EXPECT_TRUE(filmsticking.getReport().manifold);
+  EXPECT_EQ(filmsticking.getReport().boundary_loops, 1);
+  EXPECT_LT(open.polygons.size(), closed.polygons.size());
+}
+
+TEST(FilmstickingPP, StartsFromAGivenSurface) {
+  // The surface of a coarse sphere, twice as large.
+  Class maker;
+  maker.setInputCloud(make_sphere<PointXYZ>(60));
+  pcl::PolygonMesh guide;
+  maker.reconstruct(guide);
+  pcl::PointCloud<PointXYZ> points;
+  pcl::fromPCLPointCloud2(guide.cloud, points);
+  for (PointXYZ& p : points) p.getVector3fMap() *= 2;
+  pcl::toPCLPointCloud2(points, guide.cloud);
+
+  Class filmsticking;
+  filmsticking.setGuidingSurface(guide);
+  EXPECT_EQ(filmsticking.getInitialSurface(), InitialSurface::Given);
+  ASSERT_NE(filmsticking.getGuidingSurface(), nullptr);
+  EXPECT_EQ(filmsticking.getGuidingSurface()->positions.size(), 60u);
+  EXPECT_EQ(filmsticking.getGuidingSurface()->triangles.size(), 116u);
+  filmsticking.setInputCloud(make_sphere<PointXYZ>(500));
+  const auto surface = run(filmsticking);
+  ASSERT_EQ(filmsticking.getStatus(), Status::Ok) << filmsticking.getStatusMessage();
+  EXPECT_EQ(surface.points.size(), 500u);
+  expect_good_surface(to_mesh(surface));
+}
+
+TEST(FilmstickingPP, ABrokenGivenSurfaceFails) {
+  pcl::PolygonMesh guide;
+  pcl::toPCLPointCloud2(*make_sphere<PointXYZ>(4), guide.cloud);
+  guide.polygons.resize(1);
+  for (const pcl::Indices& polygon :
+       {pcl::Indices{0, 1, 2}, pcl::Indices{0, 1, 99}, pcl::Indices{0, 1, -5}}) {
+    guide.polygons[0].vertices = polygon;
+    Class filmsticking;
+    filmsticking.setInputCloud(make_sphere<PointXYZ>(300));
+    filmsticking.setGuidingSurface(guide);
+    expect_failure(filmsticking, Status::InvalidGuidingSurface);
+  }
+}
+
+}  // namespace
+}  // namespace filmsticking::test
