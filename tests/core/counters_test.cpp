@@ -99,7 +99,7 @@ void expect_bounds(const Setting& s, std::vector<char> inside, const std::vector
 
   labels.unfold();
   const auto flat = std::count_if(s.mesh.flat.begin(), s.mesh.flat.end(), [](int side) { return side != 0; });
-  EXPECT_LE(counts.unfolded, static_cast<std::int64_t>(flat));
+  EXPECT_LE(counts.unfolded, 8 * static_cast<std::int64_t>(flat));
 
   const std::vector<char> warped = inside;
   labels.reach();

@@ -37,6 +37,9 @@ constexpr std::int64_t kMostVisits = 10000;
 // A site around which so often something was stripped off is stripped as well.
 constexpr char kMostLooks = 3;
 
+// A fold less may be a pinch more, and the other way round; few last longer than this.
+constexpr int kUnfoldTurns = 8;
+
 // So many flat tetrahedra on each other are a flat cloud.
 constexpr std::size_t kFlatPile = 16;
 
@@ -476,8 +479,8 @@ void ManifoldLabels::warp(const std::vector<char>& aim) {
   }
 }
 
-// Has the surface facets on both sides of a flat tetrahedron? Of a flat cloud there is no other: there it is
-// joined to flat ones only.
+// Has the surface facets on both sides of a flat tetrahedron? Where all that is inside there is flat, as in a
+// flat cloud, there is no other surface.
 bool ManifoldLabels::folded(Index t) const {
   const int side = mesh_.flat[t];
   if (side == 0) return false;
@@ -485,11 +488,12 @@ bool ManifoldLabels::folded(Index t) const {
   for (int k = 0; k < 4; ++k)
     if (inside_[mesh_.tets.neighbours[t][k]] != inside_[t]) met |= (side >> k & 1) ? 1 : 2;
   if (met != 3) return false;
+  if (!inside_[t]) return true;
   std::array<Index, kFlatPile> pile{t};
   std::size_t size = 1;
   for (std::size_t i = 0; i < size; ++i)
     for (Index u : mesh_.tets.neighbours[pile[i]]) {
-      if (inside_[u] != inside_[t]) continue;
+      if (!inside_[u]) continue;
       if (!mesh_.flat[u]) return true;
       if (size < kFlatPile && std::find(pile.begin(), pile.begin() + size, u) == pile.begin() + size)
         pile[size++] = u;
@@ -497,27 +501,68 @@ bool ManifoldLabels::folded(Index t) const {
   return false;
 }
 
-// Would it after a move, of those that move and those beside them?
-bool ManifoldLabels::folds(const Move& move) {
+// How many there are among some tetrahedra and those beside them.
+int ManifoldLabels::folds_around(const Move& move) const {
+  std::vector<Index> met = move;
+  for (Index t : move)
+    met.insert(met.end(), mesh_.tets.neighbours[t].begin(), mesh_.tets.neighbours[t].end());
+  unique_sorted(met);
+  return static_cast<int>(std::count_if(met.begin(), met.end(), [&](Index t) { return folded(t); }));
+}
+
+// How many there would be more after a move.
+int ManifoldLabels::more_folds(const Move& move) {
+  const int before = folds_around(move);
   for (Index t : move) inside_[t] = !inside_[t];
-  const bool any = std::any_of(move.begin(), move.end(), [&](Index t) {
-    const auto& beside = mesh_.tets.neighbours[t];
-    return folded(t) || std::any_of(beside.begin(), beside.end(), [&](Index u) { return folded(u); });
-  });
+  const int after = folds_around(move);
   for (Index t : move) inside_[t] = !inside_[t];
-  return any;
+  return after - before;
+}
+
+// The site that lies in the facet of a flat tetrahedron opposite to it, if that facet alone is on the surface
+// and the surface comes to the site from the other side: before the sites were perturbed, it touched itself
+// there. Else kNone.
+Index ManifoldLabels::pinch(Index t) const {
+  const int side = mesh_.flat[t];
+  int largest = 0;
+  while (largest < 4 && side != 1 << largest) ++largest;
+  if (largest == 4) return kNone;  // none is as large as the others together
+  for (int k = 0; k < 4; ++k)
+    if ((inside_[mesh_.tets.neighbours[t][k]] != inside_[t]) != (k == largest)) return kNone;
+  const Index v = mesh_.tets.corners[t][largest];
+  return census_[v].off() ? kNone : v;
+}
+
+// What takes a fold or a pinch at a flat tetrahedron: that it changes sides, and of a pinch, that the site goes
+// over to the sheet that it lies in.
+ManifoldLabels::Move ManifoldLabels::best_unfold(Index t) {
+  Move move{t};
+  if (folded(t)) {
+    if (!grows(move) || more_folds(move) >= 0) return {};
+    const Effect e = effect(move);
+    return e.surplus == 0 && e.euler == 0 ? move : Move{};
+  }
+  const Index v = pinch(t);
+  if (v == kNone) return {};
+  census(v);
+  for (Index u : star_)
+    if (inside_[u] != inside_[t]) move.push_back(u);
+  if (!allowed(move) || more_folds(move) > 1) return {};
+  const Effect e = effect(move);
+  return e.surplus == 0 && e.euler == 0 && e.cost < site_cost_ ? move : Move{};
 }
 
 void ManifoldLabels::unfold() {
-  std::vector<Index> none;
-  // Ends: a turn leaves a fold less, or is the last.
-  for (bool moved = true; moved;) {
+  std::vector<Index> flat, none;
+  for (std::size_t t = 0; t < mesh_.size(); ++t)
+    if (mesh_.flat[t]) flat.push_back(static_cast<Index>(t));
+  bool moved = true;
+  for (int turn = 0; moved && turn < kUnfoldTurns; ++turn) {
     moved = false;
-    for (std::size_t s = 0; s < mesh_.size(); ++s) {
-      const Move move{static_cast<Index>(s)};
-      if (!folded(move[0]) || !grows(move) || folds(move)) continue;
-      const Effect e = effect(move);
-      if (e.surplus != 0 || e.euler != 0) continue;
+    for (Index t : flat) {
+      if (spent()) return;
+      const Move move = best_unfold(t);
+      if (move.empty()) continue;
       apply(move, none);
       ++counts_.unfolded;
       moved = true;
@@ -532,7 +577,7 @@ ManifoldLabels::Move ManifoldLabels::best_reach(Index v, double share) {
   const auto consider = [&](Move move) {
     if (!allowed(move) || !grows(move) || least_cost(move, 0) >= best_cost) return;
     const Effect e = effect(move);
-    if (e.surplus != 0 || e.euler != 0 || e.cost >= best_cost || folds(move)) return;
+    if (e.surplus != 0 || e.euler != 0 || e.cost >= best_cost || more_folds(move) > 0) return;
     best_cost = e.cost, best = std::move(move);
   };
   census(v);

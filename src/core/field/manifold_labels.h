@@ -37,7 +37,7 @@ struct LabelCounts {
   std::int64_t tunnels = 0;
   /// Plugs that left fewer pieces: no more than pieces went, as none adds any.
   std::int64_t tears = 0;
-  /// Folds that went: no more than there are flat tetrahedra.
+  /// Folds and pinches that went: no more than eight for each flat tetrahedron.
   std::int64_t unfolded = 0;
   /// Moves that brought single sites on to the surface, which the cut left off as cheaper: a site that sticks out
   /// or lies in a dent of chance. No site more than eight times.
@@ -57,7 +57,7 @@ struct LabelCounts {
 ///    of them. So all there is to keep is local;
 ///  - it does not cut itself, being part of a triangulation of space, but where tetrahedra are flat;
 ///  - it ends: the repair lowers the number of surplus pieces or else takes from the inside; the warp lowers
-///    the number of differences, unfolding that of folds; the reach lowers the cost; each plug is tried once;
+///    the number of differences, unfolding takes a few turns; the reach lowers the cost; each plug is tried once;
 ///  - the work is bounded: after 10,000 visits of tetrahedra for each site, far more than a surface takes, all
 ///    that is optional is left out, and what is inside is taken away around the sites that are singular still.
 class ManifoldLabels {
@@ -76,8 +76,10 @@ class ManifoldLabels {
   /// handles and islands.
   void warp(const std::vector<char>& aim);
 
-  /// Relabels flat tetrahedra of which the surface has facets on both sides, where it folds back on itself, as
-  /// far as that is without a change of topology. A site that only such a fold holds is off then.
+  /// Relabels flat tetrahedra of which the surface has facets on both sides, where it folds back on itself, and
+  /// those with a facet of it on one side and a site of it that lies in that facet on the other, where it is
+  /// pinched, as far as that is without a change of topology. A site that only a fold holds is off then, and
+  /// one that was pinched belongs to the sheet that it lies in.
   void unfold();
 
   /// Brings sites off the surface on to it where relabelling one or two tetrahedra at the site does it, keeps
@@ -138,7 +140,10 @@ class ManifoldLabels {
   std::vector<Move> moves_at(Index v, bool erode);
   Move best_move(Index v, bool erode);
   bool folded(Index t) const;
-  bool folds(const Move& move);
+  int folds_around(const Move& move) const;
+  int more_folds(const Move& move);
+  Index pinch(Index t) const;
+  Move best_unfold(Index t);
   Move best_reach(Index v, double share);
   void lower(std::vector<Index> singular, bool erode);
   bool spent() const;
