@@ -213,8 +213,8 @@ TEST(Clouds, VerticesAreThoseOfTheFacesOnceEach) {
   std::set<Point> corners(box.positions.begin(), box.positions.end());
   box.positions.push_back({9, 9, 9});  // of no face
   box.positions.push_back(box.positions[box.triangles[0][0]]);
-  box.triangles.push_back({static_cast<std::int32_t>(box.positions.size()) - 1, box.triangles[0][2],
-                           box.triangles[0][1]});
+  box.triangles.push_back(
+      {static_cast<std::int32_t>(box.positions.size()) - 1, box.triangles[0][2], box.triangles[0][1]});
   const std::vector<Point> points = make_cloud(box, spec_of(Sampling::Vertices, 3));
   EXPECT_EQ(points.size(), corners.size());
   EXPECT_EQ(std::set<Point>(points.begin(), points.end()), corners);
@@ -249,6 +249,7 @@ TEST(Shapes, AreClosedAndOutwardWithTheirTopology) {
                              {"relief:1", 1, 0},
                              {"mouth:4", 1, 0},
                              {"bottle:4", 1, 0},
+                             {"spiral:4", 1, 0},
                              {"nested", 3, 0},
                              {"chain:2", 5, 5},
                              {"lattice:2", 1, 54 - 27 + 1}}) {
@@ -281,6 +282,12 @@ TEST(Shapes, AreAsWideAsSoManySpacings) {
       {"shell", [&](const Mesh& mesh) { return norm(upper(mesh)) - 1; }, 1e-3},
       {"mouth", [&](const Mesh& mesh) { return least(mesh, to_axis); }, 0.05},
       {"bottle", [&](const Mesh& mesh) { return least(mesh, to_axis); }, 0.05},
+      {"spiral",
+       [&](const Mesh& mesh) {
+         return least(mesh,
+                      [](const Point& p) { return 2 * std::hypot(p[0] - 0.5, p[1]) + (p[2] > 0.5 ? 0 : 9); });
+       },
+       0.05},
       // The first ring and the first tube, seen from their middle lines; no tubes cross there.
       {"chain", [&](const Mesh& mesh) { return -1 - least(mesh, [](const Point& p) { return p[0]; }); },
        0.05},

@@ -40,9 +40,6 @@ constexpr char kMostLooks = 3;
 // A fold less may be a pinch more, and the other way round; few last longer than this.
 constexpr int kUnfoldTurns = 8;
 
-// So many flat tetrahedra on each other are a flat cloud.
-constexpr std::size_t kFlatPile = 16;
-
 // A star of no more tetrahedra is searched as a list.
 constexpr std::size_t kQuickStar = 96;
 
@@ -59,6 +56,7 @@ ManifoldLabels::ManifoldLabels(const TetrahedralMesh& mesh, const SiteGeometry& 
       seed_(geometry.near.size(), kNone),
       census_(geometry.near.size()),
       exempt_(geometry.near.size(), 0),
+      lone_(mesh.size(), 0),
       seen_(mesh.size(), 0) {
   for (std::size_t t = 0; t < mesh.size(); ++t)
     for (Index v : mesh.tets.corners[t])
@@ -479,26 +477,14 @@ void ManifoldLabels::warp(const std::vector<char>& aim) {
   }
 }
 
-// Has the surface facets on both sides of a flat tetrahedron? Where all that is inside there is flat, as in a
-// flat cloud, there is no other surface.
+// Has the surface facets on both sides of a flat tetrahedron?
 bool ManifoldLabels::folded(Index t) const {
   const int side = mesh_.flat[t];
-  if (side == 0) return false;
+  if (side == 0 || (inside_[t] && lone_[t])) return false;
   int met = 0;
   for (int k = 0; k < 4; ++k)
     if (inside_[mesh_.tets.neighbours[t][k]] != inside_[t]) met |= (side >> k & 1) ? 1 : 2;
-  if (met != 3) return false;
-  if (!inside_[t]) return true;
-  std::array<Index, kFlatPile> pile{t};
-  std::size_t size = 1;
-  for (std::size_t i = 0; i < size; ++i)
-    for (Index u : mesh_.tets.neighbours[pile[i]]) {
-      if (!inside_[u]) continue;
-      if (!mesh_.flat[u]) return true;
-      if (size < kFlatPile && std::find(pile.begin(), pile.begin() + size, u) == pile.begin() + size)
-        pile[size++] = u;
-    }
-  return false;
+  return met == 3;
 }
 
 // How many there are among some tetrahedra and those beside them.
@@ -536,23 +522,41 @@ Index ManifoldLabels::pinch(Index t) const {
 // What takes a fold or a pinch at a flat tetrahedron: that it changes sides, and of a pinch, that the site goes
 // over to the sheet that it lies in.
 ManifoldLabels::Move ManifoldLabels::best_unfold(Index t) {
-  Move move{t};
-  if (folded(t)) {
-    if (!grows(move) || more_folds(move) >= 0) return {};
+  const auto helps = [&](const Move& move, int folds) {
+    if (!allowed(move) || !grows(move) || more_folds(move) >= folds) return false;
     const Effect e = effect(move);
-    return e.surplus == 0 && e.euler == 0 ? move : Move{};
-  }
+    return e.surplus == 0 && e.euler == 0 && (folds <= 0 || e.cost < site_cost_);
+  };
+  Move move{t};
+  if (folded(t)) return helps(move, 0) ? move : Move{};
   const Index v = pinch(t);
   if (v == kNone) return {};
   census(v);
   for (Index u : star_)
     if (inside_[u] != inside_[t]) move.push_back(u);
-  if (!allowed(move) || more_folds(move) > 1) return {};
-  const Effect e = effect(move);
-  return e.surplus == 0 && e.euler == 0 && e.cost < site_cost_ ? move : Move{};
+  return helps(move, 2) ? move : Move{};
+}
+
+// Marks flat tetrahedra that are inside and not joined to others there: of a flat cloud there is no surface but
+// around these.
+void ManifoldLabels::find_lone() {
+  lone_.assign(mesh_.size(), 0);
+  waiting_.clear();
+  for (std::size_t t = 0; t < mesh_.size(); ++t) {
+    if (!inside_[t]) continue;
+    lone_[t] = mesh_.flat[t] != 0;
+    if (!lone_[t]) waiting_.push_back(static_cast<Index>(t));
+  }
+  while (!waiting_.empty()) {  // ends: none waits twice
+    const Index t = waiting_.back();
+    waiting_.pop_back();
+    for (Index u : mesh_.tets.neighbours[t])
+      if (lone_[u]) lone_[u] = 0, waiting_.push_back(u);
+  }
 }
 
 void ManifoldLabels::unfold() {
+  find_lone();
   std::vector<Index> flat, none;
   for (std::size_t t = 0; t < mesh_.size(); ++t)
     if (mesh_.flat[t]) flat.push_back(static_cast<Index>(t));

@@ -140,6 +140,7 @@ class ManifoldLabels {
   std::vector<Move> moves_at(Index v, bool erode);
   Move best_move(Index v, bool erode);
   bool folded(Index t) const;
+  void find_lone();
   int folds_around(const Move& move) const;
   int more_folds(const Move& move);
   Index pinch(Index t) const;
@@ -170,6 +171,7 @@ class ManifoldLabels {
   std::vector<Index> seed_;  // a tetrahedron at each site
   std::vector<Census> census_;
   std::vector<char> exempt_;  // [site]: need not be repaired
+  std::vector<char> lone_;    // [tetrahedron]: has no fold, as find_lone() says
   // Of the last census: the star, piece by piece, and where each piece starts in it, and the end.
   std::vector<Index> star_;
   std::vector<std::size_t> first_;

@@ -115,6 +115,30 @@ Mesh make_bottle(double width) {
   return make_level_surface(field, {-0.7, -0.7, -1.2}, {0.7, 0.7, 1.5}, cell_for(std::min(width, kWall)));
 }
 
+/// A ball with a hole that goes straight down and then two times around.
+Mesh make_spiral(double width) {
+  constexpr double kRadius = 0.5, kTop = 0.4, kPitch = 0.45, kAngle = 4 * M_PI;
+  const auto at = [](double angle) {  // counted down from the top
+    return Vec3(kRadius * std::cos(angle), kRadius * std::sin(angle), kTop - kPitch * angle / (2 * M_PI));
+  };
+  // Round in planes through the axis.
+  const auto to_hole = [&](const Vec3& p) {
+    double nearest = (p - Vec3(kRadius, 0, std::max(p.z(), kTop))).norm();
+    const double around = std::atan2(p.y(), p.x());
+    for (double angle = around - 2 * M_PI; angle < kAngle + 2 * M_PI; angle += 2 * M_PI) {
+      const double within = std::clamp(angle, 0.0, kAngle);
+      const Vec3 c = at(within);
+      nearest =
+          std::min(nearest, within == angle ? std::hypot(std::hypot(p.x(), p.y()) - kRadius, p.z() - c.z())
+                                            : (p - c).norm());
+    }
+    return nearest - width / 2;
+  };
+  const auto field = [&](const Vec3& p) { return without(to_ball(p, 1), to_hole(p)); };
+  const Vec3 reach = Vec3::Constant(1.1);
+  return make_level_surface(field, -reach, reach, cell_for(width));
+}
+
 Mesh make_nested() {
   const auto field = [](const Vec3& p) {
     return std::min(without(to_ball(p, 1), to_ball(p, 0.7)), to_ball(p, 0.4));
@@ -159,10 +183,10 @@ struct Family {
   Mesh (*make)(double size);
   double most;
 };
-constexpr Family kFamilies[] = {{"slab", make_slab, 1e6},       {"shell", make_shell, 1},
-                                {"relief", make_relief, 1e6},   {"mouth", make_mouth, 0.8},
-                                {"bottle", make_bottle, 0.8},   {"chain", make_chain, 0.28},
-                                {"lattice", make_lattice, 0.35}};
+constexpr Family kFamilies[] = {{"slab", make_slab, 1e6},     {"shell", make_shell, 1},
+                                {"relief", make_relief, 1e6}, {"mouth", make_mouth, 0.8},
+                                {"bottle", make_bottle, 0.8}, {"spiral", make_spiral, 0.35},
+                                {"chain", make_chain, 0.28},  {"lattice", make_lattice, 0.35}};
 
 const Family* family_of(const std::string& name) {
   for (const Family& family : kFamilies)
