@@ -46,10 +46,11 @@ constexpr double kBridgePrice = 0.5;
 constexpr double kOffPrice = 5;
 // Widths up to which carving does not enter, in spacings, and the conviction with which it is believed then;
 // and how much surer it is of the outside for a width one spacing larger. The slow rise leaves chance gaps in
-// a thin wall to the evidence. Where walls are thin nearly everywhere, a weak conviction gives them up.
+// a thin wall to the evidence. Where walls are thin nearly everywhere, a weak conviction gives them up. The
+// last width is that of some chance gaps: its score must be this share of the best one.
 constexpr struct {
-  double width, conviction;
-} kCarvings[] = {{2, kConviction}, {4, kConviction}, {2, 0.5}, {2.5, 0.5}};
+  double width, conviction, share = 1;
+} kCarvings[] = {{2, kConviction}, {4, kConviction}, {2, 0.5}, {2.5, 0.5}, {1.5, 0.5, 0.9}};
 constexpr double kCarveSlope = 0.2;
 // How much surer of the inside for a width one spacing smaller.
 constexpr double kInsideSlope = 3;
@@ -73,6 +74,10 @@ constexpr std::int64_t kMostForVirtual = 64;
 // Components and handles a site above which two sides are not those of an open surface, but of thin walls,
 // whose layers they confuse.
 constexpr double kMostComplex = 0.015;
+
+// Two sides are those of a plain open surface up to these shares of sites off their first cut, of components
+// and handles, and of neighbours that face opposite ways, of which there are as many without them.
+constexpr double kPlainWeak = 0.02, kPlainComplex = 0.01, kPlainConflict = 0.75;
 
 // Is there a film, and are all its vertices sites?
 bool of_sites(const GuidingSurface& film) {
@@ -243,6 +248,7 @@ Pipeline::Candidate Pipeline::without_gaps(Candidate candidate) {
   ManifoldLabels manifold(mesh_, geometry_, costs, candidate.labels, monitor_.cancel());
   manifold.repair(exempt(candidate.labels));  // it takes the census
   manifold.fill_gaps(sites_.perturbed);
+  manifold.open_cavities(sites_.perturbed);
   manifold.unfold();
   if (options_.insert_leftover) manifold.reach();
   candidate.inserted += manifold.counts().reached;
@@ -354,20 +360,19 @@ Pipeline::Candidate Pipeline::carve() {
                                  kSidesConviction, options_.open_boundary));
     const double complexity =
         static_cast<double>(sides.quality.complexity) / static_cast<double>(sites_.size());
-    if (complexity <= kMostComplex && sides.score() < best.score()) {
-      // A plain open surface: nothing else can be better, and all else takes long there.
-      const bool plain = sides.weak <= kLittleTrouble && complexity <= kLittleTrouble;
-      best = std::move(sides);
-      two_sided = true;
-      if (plain) return best;
-    }
+    // A plain open surface, which has to be closed by faces that nothing supports, and so has a bad score.
+    // What is closed and thin instead winds between its sides: neighbours face both ways.
+    if (sides.weak <= kPlainWeak && complexity <= kPlainComplex &&
+        sides.quality.conflict < kPlainConflict * best.quality.conflict)
+      return options_.open_boundary ? std::move(sides) : without_gaps(std::move(sides));
+    if (complexity <= kMostComplex && sides.score() < best.score()) best = std::move(sides), two_sided = true;
   }
   for (const auto& carving : kCarvings) {
     // Of slabs and shells it made nothing better than two sides, and it takes as long again.
     if (two_sided && carving.conviction > kConviction) continue;
     monitor_.enter("carving", monitor_.share());
     Candidate other = judged(cut(carve_belief(carving.width, kCarveSlope), carving.conviction));
-    if (other.score() < best.score()) best = std::move(other), two_sided = false;
+    if (other.score() < carving.share * best.score()) best = std::move(other), two_sided = false;
   }
   best = without_gaps(std::move(best));
   if (!two_sided) best = refined(std::move(best));

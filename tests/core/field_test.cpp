@@ -262,6 +262,61 @@ TEST(ManifoldLabels, ATornWallIsJoined) {
   EXPECT_EQ(joined, torn);
 }
 
+// A ball with a round cavity, and a tube from there to outside unless its radius is 0; about 0.08 apart.
+std::vector<Point> ball_with_cavity(std::uint64_t seed, double cavity, double tube) {
+  std::vector<Point> points;
+  const auto add = [&](const Point& p) {
+    if (std::hypot(p[0], p[1]) > tube || p[2] < 0) points.push_back(p);
+  };
+  for (const Point& p : test::sphere(2000, seed)) add(p);
+  for (const Point& p : test::sphere(static_cast<int>(2000 * cavity * cavity), seed + 1000))
+    add({cavity * p[0], cavity * p[1], cavity * p[2]});
+  test::Random random(seed);
+  const int around = static_cast<int>(2000 * tube * (1 - cavity) / 2);
+  for (int i = 0; i < around; ++i) {
+    const double angle = 2 * M_PI * random.uniform(), z = cavity + (1 - cavity) * random.uniform();
+    points.push_back({tube * std::cos(angle), tube * std::sin(angle), z});
+  }
+  return points;
+}
+
+// The surface of a cavity was one of its own where the neck of a bottle, four spacings wide, was barred.
+TEST(ManifoldLabels, Regression_AMouthThatIsBarredIsOpened) {
+  constexpr double kCavity = 0.6, kTube = 0.16;
+  int barred = 0, opened = 0;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const Setting s(ball_with_cavity(seed, kCavity, kTube));
+    std::vector<char> inside = labels_where(s, [&](const Point& p) {
+      const bool hole = std::hypot(p[0], p[1]) < kTube && p[2] > 0 && std::abs(p[2] - 0.8) > 0.05;
+      return std::hypot(p[0], p[1], p[2]) > kCavity && !hole;
+    });
+    const LabelCosts costs = costs_of(s);
+    ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
+    manifold.repair();
+    if (topology(s, inside).components == 1) continue;
+    manifold.open_cavities(s.set.perturbed);
+    const Topology after = topology(s, inside);
+    ++barred, opened += after.components == 1 && after.handles == 0;
+  }
+  EXPECT_GE(barred, 5);
+  EXPECT_EQ(opened, barred);
+}
+
+TEST(ManifoldLabels, AClosedCavityIsKept) {
+  for (const double cavity : {0.3, 0.6, 0.85})  // the wall is two spacings thick at least
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+      const Setting s(ball_with_cavity(seed, cavity, 0));
+      std::vector<char> inside =
+          labels_where(s, [&](const Point& p) { return std::hypot(p[0], p[1], p[2]) > cavity; });
+      const LabelCosts costs = costs_of(s);
+      ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
+      manifold.repair();
+      ASSERT_EQ(topology(s, inside).components, 2) << cavity;
+      manifold.open_cavities(s.set.perturbed);
+      EXPECT_EQ(topology(s, inside).components, 2) << cavity;
+    }
+}
+
 TEST(ManifoldLabels, PartsCloseToEachOtherStayApart) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     std::vector<Point> points = ellipsoid(1500, seed, 0);

@@ -221,25 +221,32 @@ void ManifoldLabels::fill(const Move& plug, bool relax) {
   for (Index v : sites_of(changed)) census_[v] = census(v);
 }
 
-void ManifoldLabels::fill_gaps(const std::vector<Vec3>& sites) {
-  // Where it is a manifold now it stays one.
+// From the first on, those that another's repair has left as they were.
+void ManifoldLabels::fill_all(const std::vector<Move>& plugs, char label, bool relax) {
+  for (const Move& plug : plugs) {
+    cancel_();
+    if (spent()) return;
+    const bool whole = std::all_of(plug.begin(), plug.end(), [&](Index t) { return inside_[t] == label; });
+    if (whole && grows(plug)) fill(plug, relax);
+  }
+}
+
+// Returns how many there are. Where the surface is a manifold now it stays one.
+std::int64_t ManifoldLabels::name_pieces() {
   for (std::size_t v = 0; v < exempt_.size(); ++v)
     if (census_[v].surplus() == 0) exempt_[v] = 0;
-  alias_.resize(static_cast<std::size_t>(label_pieces(mesh_, inside_, piece_)));
+  const auto count = static_cast<std::int64_t>(label_pieces(mesh_, inside_, piece_));
+  alias_.resize(static_cast<std::size_t>(count));
   std::iota(alias_.begin(), alias_.end(), 0);
-  const auto fill_all = [&](const std::vector<Move>& plugs, bool relax) {
-    for (const Move& plug : plugs) {
-      cancel_();
-      if (spent()) return;
-      // Another plug's repair may have been here.
-      const bool whole = std::none_of(plug.begin(), plug.end(), [&](Index t) { return inside_[t]; });
-      if (whole && grows(plug)) fill(plug, relax);
-    }
-  };
+  return count;
+}
+
+void ManifoldLabels::fill_gaps(const std::vector<Vec3>& sites) {
+  name_pieces();
   for (const double radius : kPlugRadii)
-    if (!spent()) fill_all(plugs(radius), false);
+    if (!spent()) fill_all(plugs(radius), 0, false);
   for (const double radius : kCapRadii)
-    if (!spent()) fill_all(caps(sites, radius), true);
+    if (!spent()) fill_all(caps(sites, radius), 0, true);
 }
 
 }  // namespace filmsticking

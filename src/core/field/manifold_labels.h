@@ -48,7 +48,7 @@ struct LabelCounts {
   std::int64_t visits = 0;
 };
 
-/// Relabels tetrahedra so that the surface between inside and outside is a 2-manifold, in five rooms.
+/// Relabels tetrahedra so that the surface between inside and outside is a 2-manifold, in six rooms.
 ///
 /// Guarantees, whatever the labels and costs:
 ///  - the surface is closed and a manifold. It is one exactly if at every site those tetrahedra of its star
@@ -94,6 +94,11 @@ class ManifoldLabels {
   /// are wide. One is taken if it leaves fewer handles or fewer pieces, and not more of either. `sites` are the
   /// corners of the tetrahedra.
   void fill_gaps(const std::vector<Vec3>& sites);
+
+  /// Takes away what bars the way into a cavity, where that costs less than a piece less is worth: in a mouth
+  /// of a few spacings all that is outside may be as narrow as a gap in one place. What is tried is connected
+  /// parts of the inside, as wide as a mouth and no wall, between two pieces of the outside.
+  void open_cavities(const std::vector<Vec3>& sites);
 
   const LabelCounts& counts() const { return counts_; }
 
@@ -151,6 +156,7 @@ class ManifoldLabels {
   void strip();
   bool narrow(Index t, double radius) const;
   std::vector<Move> plugs(double radius) const;
+  std::vector<Move> bars(const std::vector<Vec3>& sites, double radius);
   std::vector<Index> narrow_facets(const std::vector<Vec3>& sites, double radius) const;
   std::vector<std::vector<Index>> closing_parts(const std::vector<Index>& facets);
   bool dent(const Move& side, const std::vector<Index>& cap);
@@ -160,6 +166,8 @@ class ManifoldLabels {
   int pieces_around(const Move& part);
   void unite_around(const Move& part);
   void fill(const Move& plug, bool relax);
+  void fill_all(const std::vector<Move>& plugs, char label, bool relax);
+  std::int64_t name_pieces();
 
   const TetrahedralMesh& mesh_;
   const SiteGeometry& geometry_;
