@@ -360,11 +360,14 @@ Pipeline::Candidate Pipeline::carve() {
                                  kSidesConviction, options_.open_boundary));
     const double complexity =
         static_cast<double>(sides.quality.complexity) / static_cast<double>(sites_.size());
-    // A plain open surface, which has to be closed by faces that nothing supports, and so has a bad score.
-    // What is closed and thin instead winds between its sides: neighbours face both ways.
-    if (sides.weak <= kPlainWeak && complexity <= kPlainComplex &&
-        sides.quality.conflict < kPlainConflict * best.quality.conflict)
-      return options_.open_boundary ? std::move(sides) : without_gaps(std::move(sides));
+    // A plain open surface: nothing else can be better, and all else takes long there. Closed, it has faces
+    // that nothing supports, and so a bad score; but what is closed and thin instead winds between its sides,
+    // where neighbours face both ways.
+    const bool best_open = options_.open_boundary && sides.weak <= kLittleTrouble &&
+                           complexity <= kLittleTrouble && sides.score() < best.score();
+    const bool plain = sides.weak <= kPlainWeak && complexity <= kPlainComplex &&
+                       sides.quality.conflict < kPlainConflict * best.quality.conflict;
+    if (best_open || plain) return options_.open_boundary ? std::move(sides) : without_gaps(std::move(sides));
     if (complexity <= kMostComplex && sides.score() < best.score()) best = std::move(sides), two_sided = true;
   }
   for (const auto& carving : kCarvings) {

@@ -40,6 +40,9 @@ constexpr char kMostLooks = 3;
 // A fold less may be a pinch more, and the other way round; few last longer than this.
 constexpr int kUnfoldTurns = 8;
 
+// So many flat tetrahedra on each other are a flat cloud.
+constexpr std::size_t kFlatPile = 16;
+
 // A star of no more tetrahedra is searched as a list.
 constexpr std::size_t kQuickStar = 96;
 
@@ -56,7 +59,6 @@ ManifoldLabels::ManifoldLabels(const TetrahedralMesh& mesh, const SiteGeometry& 
       seed_(geometry.near.size(), kNone),
       census_(geometry.near.size()),
       exempt_(geometry.near.size(), 0),
-      lone_(mesh.size(), 0),
       seen_(mesh.size(), 0) {
   for (std::size_t t = 0; t < mesh.size(); ++t)
     for (Index v : mesh.tets.corners[t])
@@ -477,14 +479,26 @@ void ManifoldLabels::warp(const std::vector<char>& aim) {
   }
 }
 
-// Has the surface facets on both sides of a flat tetrahedron?
+// Has the surface facets on both sides of a flat tetrahedron? Where all that is inside there is flat, as in a
+// flat cloud or a sheet on a plane, there is no other surface.
 bool ManifoldLabels::folded(Index t) const {
   const int side = mesh_.flat[t];
-  if (side == 0 || (inside_[t] && lone_[t])) return false;
+  if (side == 0) return false;
   int met = 0;
   for (int k = 0; k < 4; ++k)
     if (inside_[mesh_.tets.neighbours[t][k]] != inside_[t]) met |= (side >> k & 1) ? 1 : 2;
-  return met == 3;
+  if (met != 3) return false;
+  if (!inside_[t]) return true;
+  std::array<Index, kFlatPile> pile{t};
+  std::size_t size = 1;
+  for (std::size_t i = 0; i < size; ++i)
+    for (Index u : mesh_.tets.neighbours[pile[i]]) {
+      if (!inside_[u]) continue;
+      if (!mesh_.flat[u]) return true;
+      if (size < kFlatPile && std::find(pile.begin(), pile.begin() + size, u) == pile.begin() + size)
+        pile[size++] = u;
+    }
+  return false;
 }
 
 // How many there are among some tetrahedra and those beside them.
@@ -537,26 +551,7 @@ ManifoldLabels::Move ManifoldLabels::best_unfold(Index t) {
   return helps(move, 2) ? move : Move{};
 }
 
-// Marks flat tetrahedra that are inside and not joined to others there: of a flat cloud there is no surface but
-// around these.
-void ManifoldLabels::find_lone() {
-  lone_.assign(mesh_.size(), 0);
-  waiting_.clear();
-  for (std::size_t t = 0; t < mesh_.size(); ++t) {
-    if (!inside_[t]) continue;
-    lone_[t] = mesh_.flat[t] != 0;
-    if (!lone_[t]) waiting_.push_back(static_cast<Index>(t));
-  }
-  while (!waiting_.empty()) {  // ends: none waits twice
-    const Index t = waiting_.back();
-    waiting_.pop_back();
-    for (Index u : mesh_.tets.neighbours[t])
-      if (lone_[u]) lone_[u] = 0, waiting_.push_back(u);
-  }
-}
-
 void ManifoldLabels::unfold() {
-  find_lone();
   std::vector<Index> flat, none;
   for (std::size_t t = 0; t < mesh_.size(); ++t)
     if (mesh_.flat[t]) flat.push_back(static_cast<Index>(t));

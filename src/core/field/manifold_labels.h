@@ -35,7 +35,7 @@ struct LabelCounts {
   /// Plugs that left fewer handles. With the tears they are no more than the handles and the pieces that went, as
   /// none is taken that adds as many of one as it takes of the other.
   std::int64_t tunnels = 0;
-  /// Plugs that left fewer pieces: no more than pieces went, as none adds any.
+  /// Plugs, and bars taken away, that left fewer pieces: no more than pieces went, as none adds any.
   std::int64_t tears = 0;
   /// Folds and pinches that went: no more than eight for each flat tetrahedron.
   std::int64_t unfolded = 0;
@@ -145,7 +145,6 @@ class ManifoldLabels {
   std::vector<Move> moves_at(Index v, bool erode);
   Move best_move(Index v, bool erode);
   bool folded(Index t) const;
-  void find_lone();
   int folds_around(const Move& move) const;
   int more_folds(const Move& move);
   Index pinch(Index t) const;
@@ -179,7 +178,6 @@ class ManifoldLabels {
   std::vector<Index> seed_;  // a tetrahedron at each site
   std::vector<Census> census_;
   std::vector<char> exempt_;  // [site]: need not be repaired
-  std::vector<char> lone_;    // [tetrahedron]: has no fold, as find_lone() says
   // Of the last census: the star, piece by piece, and where each piece starts in it, and the end.
   std::vector<Index> star_;
   std::vector<std::size_t> first_;
