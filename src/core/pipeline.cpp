@@ -75,8 +75,8 @@ constexpr std::int64_t kMostForVirtual = 64;
 // whose layers they confuse.
 constexpr double kMostComplex = 0.015;
 
-// Two sides are those of a plain open surface up to these shares of sites off their first cut, of components
-// and handles, and of neighbours that face opposite ways, of which there are as many without them.
+// Two sides are those of a plain open surface if they have no more than these: sites off their first cut, and
+// components and handles, by sites; and neighbours that face opposite ways, by those of the first surface.
 constexpr double kPlainWeak = 0.02, kPlainComplex = 0.01, kPlainConflict = 0.75;
 
 // Is there a film, and are all its vertices sites?

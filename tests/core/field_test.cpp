@@ -302,23 +302,54 @@ TEST(ManifoldLabels, Regression_AMouthThatIsBarredIsOpened) {
   EXPECT_EQ(opened, barred);
 }
 
+// Of labels whose surface has two components, a room leaves both.
+template <class Room>
+void expect_two_stay(const Setting& s, std::vector<char> inside, const Room& room) {
+  const LabelCosts costs = costs_of(s);
+  ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
+  manifold.repair();
+  ASSERT_EQ(topology(s, inside).components, 2);
+  room(manifold);
+  EXPECT_EQ(topology(s, inside).components, 2);
+}
+
 TEST(ManifoldLabels, AClosedCavityIsKept) {
   for (const double cavity : {0.3, 0.6, 0.85})  // the wall is two spacings thick at least
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
+      SCOPED_TRACE(cavity);
       const Setting s(ball_with_cavity(seed, cavity, 0));
-      std::vector<char> inside =
-          labels_where(s, [&](const Point& p) { return std::hypot(p[0], p[1], p[2]) > cavity; });
-      const LabelCosts costs = costs_of(s);
-      ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
-      manifold.repair();
-      ASSERT_EQ(topology(s, inside).components, 2) << cavity;
-      manifold.open_cavities(s.set.perturbed);
-      EXPECT_EQ(topology(s, inside).components, 2) << cavity;
+      expect_two_stay(s,
+                      labels_where(s, [&](const Point& p) { return std::hypot(p[0], p[1], p[2]) > cavity; }),
+                      [&](ManifoldLabels& manifold) { manifold.open_cavities(s.set.perturbed); });
     }
+}
+
+// Labels of an open surface may have infinite tetrahedra inside, which have facets of no size: here all of
+// them, around a shell that is outside, and a core that is.
+TEST(ManifoldLabels, Regression_NothingInfiniteBarsACavity) {
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    std::vector<Point> points = ball_with_cavity(seed, 0.6, 0);
+    for (const Point& p : test::sphere(300, seed + 2000, {0, 0, 0}, 0.3)) points.push_back(p);
+    const Setting s(points);
+    std::vector<char> inside = labels_where(s, [](const Point& p) {
+      const double r = std::hypot(p[0], p[1], p[2]);
+      return r > 0.3 && r < 0.6;
+    });
+    const auto infinite = [&](std::size_t t) { return s.mesh.tets.infinite(static_cast<Index>(t)); };
+    for (std::size_t t = 0; t < inside.size(); ++t) inside[t] = static_cast<char>(inside[t] || infinite(t));
+    const LabelCosts costs = costs_of(s);
+    ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
+    manifold.repair();
+    ASSERT_EQ(topology(s, inside).components, 3) << seed;
+    manifold.open_cavities(s.set.perturbed);
+    for (std::size_t t = 0; t < inside.size(); ++t) EXPECT_TRUE(inside[t] || !infinite(t));
+    EXPECT_EQ(topology(s, inside).components, 3) << seed;
+  }
 }
 
 TEST(ManifoldLabels, PartsCloseToEachOtherStayApart) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
     std::vector<Point> points = ellipsoid(1500, seed, 0);
     const std::vector<Point> second = ellipsoid(1500, seed + 100, 2.11);  // one and a half spacings away
     points.insert(points.end(), second.begin(), second.end());
@@ -326,13 +357,8 @@ TEST(ManifoldLabels, PartsCloseToEachOtherStayApart) {
     const auto in = [](const Point& p, double x0) {
       return std::pow(p[0] - x0, 2) + std::pow(p[1] / 0.8, 2) + std::pow(p[2] / 0.6, 2) < 1;
     };
-    std::vector<char> inside = labels_where(s, [&](const Point& p) { return in(p, 0) || in(p, 2.11); });
-    const LabelCosts costs = costs_of(s);
-    ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
-    manifold.repair();
-    ASSERT_EQ(topology(s, inside).components, 2) << seed;
-    manifold.fill_gaps(s.set.perturbed);
-    EXPECT_EQ(topology(s, inside).components, 2) << seed;
+    expect_two_stay(s, labels_where(s, [&](const Point& p) { return in(p, 0) || in(p, 2.11); }),
+                    [&](ManifoldLabels& manifold) { manifold.fill_gaps(s.set.perturbed); });
   }
 }
 

@@ -40,6 +40,14 @@ bool ManifoldLabels::narrow(Index t, double radius) const {
   return mesh_.circumradius[t] < radius * spacing;
 }
 
+// By size, and each sorted.
+std::vector<ManifoldLabels::Move> ManifoldLabels::smallest_first(std::vector<Move> parts) {
+  for (Move& part : parts) std::sort(part.begin(), part.end());
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const Move& a, const Move& b) { return a.size() < b.size(); });
+  return parts;
+}
+
 // The narrow tetrahedra outside, by connected parts in rising order of size.
 std::vector<ManifoldLabels::Move> ManifoldLabels::plugs(double radius) const {
   const auto small = [&](Index t) { return !inside_[t] && narrow(t, radius); };
@@ -60,13 +68,9 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::plugs(double radius) const {
         }
       }
     // A plug has two caps.
-    if (beside_outside < 2 || part.size() > kLargestPlug) continue;
-    std::sort(part.begin(), part.end());
-    parts.push_back(std::move(part));
+    if (beside_outside >= 2 && part.size() <= kLargestPlug) parts.push_back(std::move(part));
   }
-  std::stable_sort(parts.begin(), parts.end(),
-                   [](const Move& a, const Move& b) { return a.size() < b.size(); });
-  return parts;
+  return smallest_first(std::move(parts));
 }
 
 // Is one label in several pieces around tetrahedra that were relabelled? All of it that is there is grown at
@@ -146,8 +150,8 @@ void ManifoldLabels::unite_around(const Move& part) {
   }
 }
 
-// Fills a plug and repairs what that makes singular, if what it mends is worth it all; else changes nothing.
-// `relax`: what lies around it may follow, without a change of topology.
+// Fills a plug, or takes a bar away, and repairs what that makes singular, if what it mends is worth it all;
+// else changes nothing. `relax`: what lies around it may follow, without a change of topology.
 void ManifoldLabels::fill(const Move& plug, bool relax) {
   const auto worth = [&](int handles, int pieces) {
     return handles < 0 || pieces < 0 ? 0 : (kTunnelWorth * handles + kTearWorth * pieces) * site_cost_;

@@ -22,17 +22,22 @@ constexpr std::size_t kLargestDent = 200;
 
 }  // namespace
 
+// Has a facet of finite corners a circumcircle of less than this radius, in the largest spacing of these?
+bool ManifoldLabels::narrow_facet(const std::vector<Vec3>& sites, Index t, int k, double radius) const {
+  const auto& c = mesh_.tets.corners[t];
+  const Index i = c[kFacet[k][0]], j = c[kFacet[k][1]], l = c[kFacet[k][2]];
+  const double widest = radius * std::max({geometry_.spacing[i], geometry_.spacing[j], geometry_.spacing[l]});
+  return circumradius2(sites[i], sites[j], sites[l]) < widest * widest;
+}
+
 // The narrow facets outside between tetrahedra that are not: each as 4 times a tetrahedron, a finite one,
 // plus the corner opposite.
 std::vector<Index> ManifoldLabels::narrow_facets(const std::vector<Vec3>& sites, double radius) const {
   const auto is_narrow = [&](Index t, int k) {
     const auto& c = mesh_.tets.corners[t];
-    const Index i = c[kFacet[k][0]], j = c[kFacet[k][1]], l = c[kFacet[k][2]];
-    for (Index v : {i, j, l})
-      if (v == kNone || census_[v].off()) return false;
-    const double widest =
-        radius * std::max({geometry_.spacing[i], geometry_.spacing[j], geometry_.spacing[l]});
-    return circumradius2(sites[i], sites[j], sites[l]) < widest * widest;
+    for (int j : kFacet[k])
+      if (c[j] == kNone || census_[c[j]].off()) return false;
+    return narrow_facet(sites, t, k, radius);
   };
   std::vector<Index> facets;
   for (std::size_t s = 0; s < mesh_.size(); ++s) {

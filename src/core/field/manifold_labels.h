@@ -154,6 +154,8 @@ class ManifoldLabels {
   bool spent() const;
   void strip();
   bool narrow(Index t, double radius) const;
+  bool narrow_facet(const std::vector<Vec3>& sites, Index t, int k, double radius) const;
+  static std::vector<Move> smallest_first(std::vector<Move> parts);
   std::vector<Move> plugs(double radius) const;
   std::vector<Move> bars(const std::vector<Vec3>& sites, double radius);
   std::vector<Index> narrow_facets(const std::vector<Vec3>& sites, double radius) const;

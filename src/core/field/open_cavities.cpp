@@ -4,7 +4,6 @@
 #include <cstddef>
 
 #include "manifold_labels.h"
-#include "triangle_circle.h"
 
 namespace filmsticking {
 namespace {
@@ -17,21 +16,16 @@ constexpr std::size_t kLargestBar = 3000;
 
 }  // namespace
 
-// Parts of the inside connected through wide facets that lie between pieces of the outside, in rising order of
-// size.
+// Parts of the inside connected through wide facets that lie between pieces of the outside, in rising order
+// of size.
 std::vector<ManifoldLabels::Move> ManifoldLabels::bars(const std::vector<Vec3>& sites, double radius) {
-  const auto wide = [&](Index t, int k) {
-    const auto& c = mesh_.tets.corners[t];
-    const Index i = c[kFacet[k][0]], j = c[kFacet[k][1]], l = c[kFacet[k][2]];
-    const double least =
-        radius * std::max({geometry_.spacing[i], geometry_.spacing[j], geometry_.spacing[l]});
-    return circumradius2(sites[i], sites[j], sites[l]) >= least * least;
-  };
+  // Of an open surface infinite tetrahedra may be inside; none bars anything.
+  const auto in = [&](Index t) { return inside_[t] && !mesh_.tets.infinite(t); };
   std::vector<char> met(mesh_.size(), 0);
   std::vector<Move> parts;
   std::vector<Index> around;
   for (std::size_t s = 0; s < mesh_.size(); ++s) {
-    if (met[s] || !inside_[s]) continue;
+    if (met[s] || !in(static_cast<Index>(s))) continue;
     met[s] = 1;
     Move part{static_cast<Index>(s)};
     around.clear();
@@ -40,18 +34,14 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::bars(const std::vector<Vec3>& 
         const Index u = mesh_.tets.neighbours[part[i]][k];
         if (!inside_[u]) {
           if (around.empty() || around.back() != piece(u)) around.push_back(piece(u));
-        } else if (!met[u] && wide(part[i], k)) {
+        } else if (!met[u] && in(u) && !narrow_facet(sites, part[i], k, radius)) {
           met[u] = 1, part.push_back(u);
         }
       }
     unique_sorted(around);
-    if (around.size() < 2 || part.size() > kLargestBar) continue;
-    std::sort(part.begin(), part.end());
-    parts.push_back(std::move(part));
+    if (around.size() >= 2 && part.size() <= kLargestBar) parts.push_back(std::move(part));
   }
-  std::stable_sort(parts.begin(), parts.end(),
-                   [](const Move& a, const Move& b) { return a.size() < b.size(); });
-  return parts;
+  return smallest_first(std::move(parts));
 }
 
 void ManifoldLabels::open_cavities(const std::vector<Vec3>& sites) {
