@@ -64,9 +64,11 @@ constexpr double kWrapAlpha = 0.05;
 constexpr double kReach = 2;
 
 // Shares of the sites: a first cut that leaves no more off than the first is taken; one that leaves more off
-// than the second may be that of an open surface, which has no inside; where the best surface leaves more off
-// than the third, the film from the sphere is tried too.
-constexpr double kLittleTrouble = 0.01, kNoInside = 0.3, kMuchTrouble = 0.1;
+// than the second may be that of an open surface, and more than the third, has no inside; where the best
+// surface leaves more off than the last, the film from the sphere is tried too.
+constexpr double kLittleTrouble = 0.01, kSomeTrouble = 0.1, kNoInside = 0.3, kMuchTrouble = 0.1;
+// Of the first surface's score, that of two sides must be less than this share where there may be an inside.
+constexpr double kMuchBetter = 0.9;
 
 // Tetrahedra a site above which the points are on no surface, but on two curves, say.
 constexpr std::int64_t kMostForVirtual = 64;
@@ -354,7 +356,7 @@ Pipeline::Candidate Pipeline::carve() {
   if (best.weak <= kLittleTrouble && !best.film.triangles.empty()) return best;
   best = judged(std::move(best));
   bool two_sided = false;  // with its normals there still is no inside
-  if (best.weak > kNoInside) {
+  if (best.weak > kSomeTrouble) {
     monitor_.enter("two sides", monitor_.share());
     Candidate sides = judged(cut(two_sides(mesh_, sites_.perturbed, evidence_, geometry_, monitor_.cancel()),
                                  kSidesConviction, options_.open_boundary));
@@ -363,12 +365,14 @@ Pipeline::Candidate Pipeline::carve() {
     // A plain open surface: nothing else can be better, and all else takes long there. Closed, it has faces
     // that nothing supports, and so a bad score; but what is closed and thin instead winds between its sides,
     // where neighbours face both ways.
+    const bool no_inside = best.weak > kNoInside;
+    const bool better = sides.score() < (no_inside ? 1 : kMuchBetter) * best.score();
     const bool best_open = options_.open_boundary && sides.weak <= kLittleTrouble &&
-                           complexity <= kLittleTrouble && sides.score() < best.score();
-    const bool plain = sides.weak <= kPlainWeak && complexity <= kPlainComplex &&
+                           complexity <= kLittleTrouble && better;
+    const bool plain = sides.weak <= kPlainWeak && complexity <= kPlainComplex && (no_inside || better) &&
                        sides.quality.conflict < kPlainConflict * best.quality.conflict;
     if (best_open || plain) return options_.open_boundary ? std::move(sides) : without_gaps(std::move(sides));
-    if (complexity <= kMostComplex && sides.score() < best.score()) best = std::move(sides), two_sided = true;
+    if (complexity <= kMostComplex && better) best = std::move(sides), two_sided = true;
   }
   for (const auto& carving : kCarvings) {
     // Of slabs and shells it made nothing better than two sides, and it takes as long again.

@@ -19,7 +19,7 @@ struct Facet {
 // The pieces of a labelling.
 struct Pieces {
   std::vector<Index> of;        // [tetrahedron]
-  std::vector<Index> parent;    // [piece]: the piece around it; kNone for what holds the infinite tetrahedra
+  std::vector<Index> parent;    // [piece]: the piece around it; kNone for the outermost one
   std::vector<Index> outwards;  // the pieces, each after the one around it
   std::vector<Facet> border;    // between pieces, from both sides
 
@@ -59,12 +59,15 @@ Pieces find_pieces(const TetrahedralMesh& mesh, const std::vector<char>& inside)
   for (std::size_t i = 0, pairs = beside.size(); i < pairs; ++i)
     beside.emplace_back(beside[i].second, beside[i].first);
   std::sort(beside.begin(), beside.end());
-  // From the piece that holds the infinite tetrahedra, which are connected.
-  Index infinite = 0;
-  while (!mesh.tets.infinite(infinite)) ++infinite;
-  pieces.outwards.assign(1, pieces.of[infinite]);
+  // From the piece that holds the infinite tetrahedra, or most of them where the surface is open.
+  std::vector<Index> infinite(pieces.size(), 0);
+  for (std::size_t t = 0; t < mesh.size(); ++t)
+    if (mesh.tets.infinite(static_cast<Index>(t))) ++infinite[pieces.of[t]];
+  const auto outermost =
+      static_cast<Index>(std::max_element(infinite.begin(), infinite.end()) - infinite.begin());
+  pieces.outwards.assign(1, outermost);
   std::vector<char> met(pieces.size(), 0);
-  met[pieces.of[infinite]] = 1;
+  met[outermost] = 1;
   for (std::size_t next = 0; next < pieces.outwards.size(); ++next) {
     const Index p = pieces.outwards[next];
     for (auto it = std::lower_bound(beside.begin(), beside.end(), std::pair(p, Index{0}));

@@ -2,6 +2,7 @@
 #include "two_sides.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <queue>
 #include <utility>
@@ -14,6 +15,45 @@ namespace {
 // Facets with edges longer than this, in spacings, say less: by the fourth power, so that the rim of an open
 // surface, which wide facets go around from one side to the other, does not count against the surface.
 constexpr double kNear = 2;
+// What a facet that does not stand on the surface, or stands at its rim, still says that its tetrahedra are
+// on one side. There is a way around a rim, and clusters that first meet there would be joined across it.
+constexpr double kAtRim = 0.03;
+
+/// The edges of the surface: of the facets that all corners vote for.
+class SurfaceEdges {
+ public:
+  SurfaceEdges(const TetrahedralMesh& mesh, const FacetEvidence& evidence) {
+    for (std::size_t t = 0; t < mesh.size(); ++t)
+      for (int k = 0; k < 4; ++k) {
+        if (mesh.mirror[t][k] < static_cast<Index>(4 * t) + k || evidence.votes[t][k] < 3) continue;
+        for (const auto& edge : edges_of(mesh.tets.corners[t], k)) edges_.push_back(edge);
+      }
+    std::sort(edges_.begin(), edges_.end());
+  }
+
+  /// Does a facet stand on the surface, on an edge between two of its facets, and has no edge of its rim?
+  bool carry(const std::array<Index, 4>& corners, int k) const {
+    bool carried = false;
+    for (const auto& edge : edges_of(corners, k)) {
+      const auto [first, last] = std::equal_range(edges_.begin(), edges_.end(), edge);
+      if (last - first == 1) return false;
+      carried = carried || last != first;
+    }
+    return carried;
+  }
+
+ private:
+  using Edge = std::pair<Index, Index>;
+
+  static std::array<Edge, 3> edges_of(const std::array<Index, 4>& corners, int k) {
+    std::array<Edge, 3> edges;
+    for (int i = 0; i < 3; ++i)
+      edges[i] = std::minmax({corners[kFacet[k][i]], corners[kFacet[k][(i + 1) % 3]]});
+    return edges;
+  }
+
+  std::vector<Edge> edges_;
+};
 
 /// Clusters of tetrahedra, each with a sign relative to its root.
 class SignedClusters {
@@ -22,7 +62,8 @@ class SignedClusters {
     for (std::size_t i = 0; i < n; ++i) parent_[i] = static_cast<Index>(i);
   }
 
-  /// The root of i's cluster, and i's sign in it. Ends: join() takes roots of two trees, so there are no rings.
+  /// The root of i's cluster, and i's sign in it. Ends: join() takes roots of two trees, so there are no
+  /// rings.
   std::pair<Index, int> find(Index i) {
     Index root = i;
     int sign = 1;
@@ -141,6 +182,7 @@ std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec
                               const FacetEvidence& evidence, const SiteGeometry& geometry,
                               const Cancel& cancel) {
   std::vector<double> weight(4 * mesh.size(), 0);
+  const SurfaceEdges surface(mesh, evidence);
   parallel_each(mesh.size(), [&](std::size_t t) {
     for (int k = 0; k < 4; ++k) {
       if (mesh.mirror[t][k] < static_cast<Index>(4 * t) + k || !(evidence.area[t][k] > 0)) continue;
@@ -150,8 +192,9 @@ std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec
       const double edge2 = std::max({(sites[i] - sites[j]).squaredNorm(), (sites[j] - sites[l]).squaredNorm(),
                                      (sites[l] - sites[i]).squaredNorm()});
       const double sample = spacing * spacing, near = std::min(1.0, kNear * kNear * sample / edge2);
-      weight[4 * t + k] =
-          kVoteCoupling[evidence.votes[t][k]] * std::min<double>(evidence.area[t][k], sample) * near * near;
+      const double coupling = kVoteCoupling[evidence.votes[t][k]];
+      weight[4 * t + k] = coupling * std::min<double>(evidence.area[t][k], sample) * near * near *
+                          (coupling > 0 && !surface.carry(c, k) ? kAtRim : 1);
     }
   });
   Contraction contraction(mesh, std::move(weight));

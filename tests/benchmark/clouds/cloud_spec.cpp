@@ -16,13 +16,16 @@ const char* name_of(Sampling sampling) {
       return "mixed-density";
     case Sampling::Vertices:
       return "vertices";
+    case Sampling::DepthView:
+      return "depth-view";
   }
   return "monte-carlo";
 }
 
 Sampling sampling_of(const std::string& name) {
   std::string names;
-  for (const Sampling s : {Sampling::MonteCarlo, Sampling::PoissonDisk, Sampling::MixedDensity, Sampling::Vertices}) {
+  for (const Sampling s : {Sampling::MonteCarlo, Sampling::PoissonDisk, Sampling::MixedDensity,
+                           Sampling::Vertices, Sampling::DepthView}) {
     if (name == name_of(s)) return s;
     names += std::string(names.empty() ? "" : ", ") + name_of(s);
   }

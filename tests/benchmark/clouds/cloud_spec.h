@@ -11,6 +11,7 @@ enum class Sampling {
   PoissonDisk,   ///< blue noise by sample elimination
   MixedDensity,  ///< blue noise, Monte Carlo and sparse regular in thirds
   Vertices,      ///< the vertices of the mesh itself, all of them
+  DepthView,     ///< the pixels of a depth camera that looks from one side
 };
 
 /// The name on the command line; never null.

@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "depth_view.h"
 #include "mixed_density.h"
 #include "sample_elimination.h"
 #include "surface_sampler.h"
@@ -25,11 +26,12 @@ void check(const CloudSpec& spec) {
     throw std::invalid_argument("the missing surface is a share from 0 to 0.9");
   if (spec.sampling == Sampling::Vertices && spec.outliers + spec.missing > 0)
     throw std::invalid_argument("a mesh's vertices come without outliers and with nothing missing");
+  if (spec.sampling == Sampling::DepthView && spec.missing > 0)
+    throw std::invalid_argument("what a depth view does not see is missing, and nothing else");
 }
 
 std::vector<Sample> draw_samples(const SurfaceSampler& surface, Sampling sampling, std::size_t count,
                                  Random& random) {
-  if (count == 0) return {};
   if (sampling == Sampling::MixedDensity) return sample_mixed_density(surface, count, random);
   const bool blue = sampling == Sampling::PoissonDisk;
   std::vector<Sample> samples(blue ? kCandidatesPerSample * count : count);
@@ -62,20 +64,32 @@ Point rounded(const Vec3& p) { return {rounded(p.x()), rounded(p.y()), rounded(p
 
 }  // namespace
 
+Mesh sampled_part(const Mesh& mesh, const CloudSpec& spec) {
+  if (spec.sampling != Sampling::DepthView) return mesh;
+  const double spacing = std::sqrt(SurfaceSampler(mesh).area() / static_cast<double>(spec.points));
+  return visible_part(mesh, spec.seed, spacing / 2);
+}
+
 std::vector<Point> make_cloud(const Mesh& mesh, const CloudSpec& spec) {
   check(spec);
   SurfaceSampler surface(mesh);
   Random random(spec.seed);
   surface.take_patches_away(spec.missing, random);
   const auto outliers = static_cast<std::size_t>(spec.outliers * static_cast<double>(spec.points) + 0.5);
-  const bool vertices = spec.sampling == Sampling::Vertices;
-  const std::vector<Sample> samples =
-      vertices
-          ? vertex_samples(mesh)
-          : draw_samples(surface, spec.sampling, static_cast<std::size_t>(spec.points) - outliers, random);
+  const auto wanted = static_cast<std::size_t>(spec.points) - outliers;
+  std::vector<Sample> samples;
+  if (spec.sampling == Sampling::Vertices) {
+    samples = vertex_samples(mesh);
+  } else if (spec.sampling == Sampling::DepthView) {
+    samples = sample_depth_view(mesh, wanted, spec.seed);
+  } else if (wanted > 0) {
+    samples = draw_samples(surface, spec.sampling, wanted, random);
+  }
   const std::size_t total = samples.size() + outliers;
 
-  const double spacing = std::sqrt(surface.area() / static_cast<double>(total));
+  const bool whole = spec.sampling != Sampling::DepthView;
+  const double area = whole ? surface.area() : SurfaceSampler(sampled_part(mesh, spec)).area();
+  const double spacing = std::sqrt(area / static_cast<double>(total));
   const double sigma = spec.noise.deviation * (spec.noise.in_spacings ? spacing : surface.diagonal());
   const auto placed = [&](Vec3 p) {
     if (sigma > 0)
@@ -88,7 +102,7 @@ std::vector<Point> make_cloud(const Mesh& mesh, const CloudSpec& spec) {
   for (const Sample& sample : samples) {
     Point p = placed(sample.position);
     // A mesh far from the origin has few floats: in the end a repeated point is better than no end.
-    for (int i = 0; i < 100 && seen.count(p) > 0; ++i) p = placed(surface.draw(random).position);
+    for (int i = 0; whole && i < 100 && seen.count(p) > 0; ++i) p = placed(surface.draw(random).position);
     seen.insert(p);
     points.push_back(p);
   }

@@ -13,4 +13,7 @@ namespace filmsticking::bench {
 /// ranges.
 std::vector<Point> make_cloud(const Mesh& mesh, const CloudSpec& spec);
 
+/// What the points of the cloud can be of: the mesh, or of a depth view what the camera sees of it.
+Mesh sampled_part(const Mesh& mesh, const CloudSpec& spec);
+
 }  // namespace filmsticking::bench

@@ -59,12 +59,14 @@ CloudFiles prepare_cloud(const Input& input, const CloudSpec& spec, bool thin_cl
       files.row.set("kind", thin ? "thinned" : "as it is");
       files.row.set("points", std::to_string(points.size()));
     } else {
+      const Mesh mesh{model.positions, model.triangles};
       files.truth = input.path;
-      if (input.path.empty()) {
+      if (input.path.empty() || spec.sampling == Sampling::DepthView) {
         files.truth = folder + "/truth.ply";
-        io::write_model(files.truth, model);
+        const Mesh truth = sampled_part(mesh, spec);
+        io::write_model(files.truth, {truth.positions, {}, truth.triangles});
       }
-      points = make_cloud({model.positions, model.triangles}, spec);
+      points = make_cloud(mesh, spec);
       files.row.set("points", std::to_string(points.size()));
     }
     io::write_model(files.cloud, {points, {}, {}});

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "filmsticking/types.h"
+#include "sample.h"
+
+namespace filmsticking::bench {
+
+/// What a depth camera sees of a mesh from one side: the first hits of the rays through the pixels of a
+/// regular grid. It looks at the middle of the box, from two diagonals away, in a direction that the seed
+/// chooses. `count` points: the pixels are as large as they can be for so many, and what is too many then is
+/// left out at random. Throws std::invalid_argument for a mesh that no ray meets.
+std::vector<Sample> sample_depth_view(const Mesh& mesh, std::size_t count, std::uint64_t seed);
+
+/// The part of the mesh that the same camera sees, in pieces of at most `size` across that are seen whole or
+/// not at all.
+Mesh visible_part(const Mesh& mesh, std::uint64_t seed, double size);
+
+}  // namespace filmsticking::bench
