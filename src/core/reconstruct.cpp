@@ -18,6 +18,7 @@
 #include "parallel.h"
 #include "pipeline.h"
 #include "site_set.h"
+#include "viewpoint.h"
 
 namespace filmsticking {
 namespace {
@@ -203,6 +204,7 @@ void run(const PointsView& points, const Options& options, const Execution& exec
     }
     std::vector<std::int32_t> ids(film.site.size());
     parallel_each(ids.size(), [&](std::size_t v) { ids[v] = sites.input[film.site[v]]; });
+    if (options.open_boundary) face_viewpoint(film, *topology);
     return orient_components(film, points.at(ids), *topology);
   };
   bool oriented = orient();

@@ -58,6 +58,28 @@ inline std::vector<Point> torus(int n, std::uint64_t seed, double big = 1, doubl
   return points;
 }
 
+/// What a depth camera at `eye`, which looks along -z, sees of spheres (x, y, z and radius of each): the
+/// first hits of its rays through pixels of this size at distance 1.
+inline std::vector<Point> depth_view(const std::vector<std::array<double, 4>>& spheres, const Point& eye,
+                                     double pixel) {
+  std::vector<Point> points;
+  const int half = static_cast<int>(1 / pixel);
+  for (int v = -half; v <= half; ++v)
+    for (int u = -half; u <= half; ++u) {
+      const Point ray{u * pixel, v * pixel, -1};
+      const double a = ray[0] * ray[0] + ray[1] * ray[1] + 1;
+      double first = INFINITY;
+      for (const auto& s : spheres) {
+        double b = 0, c = -s[3] * s[3];
+        for (int k = 0; k < 3; ++k) b += ray[k] * (eye[k] - s[k]), c += (eye[k] - s[k]) * (eye[k] - s[k]);
+        if (b * b > a * c) first = std::min(first, (-b - std::sqrt(b * b - a * c)) / a);
+      }
+      if (first < INFINITY)
+        points.push_back({eye[0] + first * ray[0], eye[1] + first * ray[1], eye[2] - first});
+    }
+  return points;
+}
+
 /// Area-uniform on what a polyline of (distance from the axis, z) sweeps around the axis z.
 inline std::vector<Point> revolved(int n, std::uint64_t seed,
                                    const std::vector<std::array<double, 2>>& profile) {

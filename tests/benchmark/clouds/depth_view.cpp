@@ -22,9 +22,12 @@ using Triangles = std::vector<Kernel::Triangle_3>;
 using Tree = CGAL::AABB_tree<
     CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>>>;
 
-constexpr double kDistance = 2;   // of the camera, in diagonals
-constexpr int kBisections = 24;   // of the size of the pixels
-constexpr double kBehind = 1e-9;  // what lies so much further away, in the distance, is seen nevertheless
+constexpr double kNoMatter = 0.01;  // the area of a piece, of the square of the size of the pieces
+constexpr int kFirstPixels = 50;    // from the middle of the first image to its edges
+constexpr int kImages = 20;         // at most, to find the size of the pixels
+constexpr double kTooMany = 0.01;   // hits, that are left out
+constexpr double kDistance = 2;     // of the camera, in diagonals
+constexpr double kBehind = 1e-9;    // what lies so much further away, in the distance, is seen nevertheless
 
 Kernel::Point_3 cgal_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -96,24 +99,15 @@ class DepthCamera {
 
 std::vector<Sample> sample_depth_view(const Mesh& mesh, std::size_t count, std::uint64_t seed) {
   const DepthCamera camera(mesh, seed);
-  // Fewer hits than asked for at `large`, enough at `small`.
-  double large = DepthCamera::extent(), small = large;
-  std::vector<Sample> hits;
-  while (hits.size() < count) {
-    if (small < 1e-5 * large) throw std::invalid_argument("the camera sees nothing of the mesh");
-    large = small, small /= 2;
-    hits = camera.image(small);
+  // As many hits as pixels that the mesh covers: one over the square of their size.
+  double pixel = DepthCamera::extent() / kFirstPixels;
+  std::vector<Sample> hits = camera.image(pixel);
+  for (int i = 0; i < kImages && !(hits.size() >= count && hits.size() <= (1 + kTooMany) * count); ++i) {
+    const double share = std::max<double>(hits.size(), 0.25) / ((1 + kTooMany / 2) * count);
+    pixel *= std::sqrt(std::max(share, 1e-4));
+    hits = camera.image(pixel);
   }
-  for (int i = 0; i < kBisections && hits.size() > count; ++i) {
-    const double middle = (small + large) / 2;
-    std::vector<Sample> fewer = camera.image(middle);
-    if (fewer.size() < count) {
-      large = middle;
-    } else {
-      small = middle;
-      hits = std::move(fewer);
-    }
-  }
+  if (hits.size() < count) throw std::invalid_argument("the camera sees too little of the mesh");
   Random random(seed);
   random.shuffle(hits);
   hits.resize(count);
@@ -141,7 +135,8 @@ Mesh visible_part(const Mesh& mesh, std::uint64_t seed, double size) {
       double length = 0;
       for (std::size_t k = 0; k < 3; ++k)
         if (const double side = (t[(k + 1) % 3] - t[k]).norm(); side > length) longest = k, length = side;
-      if (length <= size) {
+      const double area = (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2;
+      if (length <= size || area <= kNoMatter * size * size) {
         if (camera.sees((t[0] + t[1] + t[2]) / 3)) add(t);
         continue;
       }

@@ -15,8 +15,8 @@ namespace filmsticking::bench {
 /// left out at random. Throws std::invalid_argument for a mesh that no ray meets.
 std::vector<Sample> sample_depth_view(const Mesh& mesh, std::size_t count, std::uint64_t seed);
 
-/// The part of the mesh that the same camera sees, in pieces of at most `size` across that are seen whole or
-/// not at all.
+/// The part of the mesh that the same camera sees, in pieces of at most `size` across, longer where they are thin,
+/// that are seen whole or not at all.
 Mesh visible_part(const Mesh& mesh, std::uint64_t seed, double size);
 
 }  // namespace filmsticking::bench

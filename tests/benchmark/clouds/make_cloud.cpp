@@ -67,7 +67,7 @@ Point rounded(const Vec3& p) { return {rounded(p.x()), rounded(p.y()), rounded(p
 Mesh sampled_part(const Mesh& mesh, const CloudSpec& spec) {
   if (spec.sampling != Sampling::DepthView) return mesh;
   const double spacing = std::sqrt(SurfaceSampler(mesh).area() / static_cast<double>(spec.points));
-  return visible_part(mesh, spec.seed, spacing / 2);
+  return visible_part(mesh, spec.seed, spacing);
 }
 
 std::vector<Point> make_cloud(const Mesh& mesh, const CloudSpec& spec) {
