@@ -78,8 +78,9 @@ constexpr std::int64_t kMostForVirtual = 64;
 constexpr double kMostComplex = 0.015;
 
 // Two sides are those of a plain open surface if they have no more than these: sites off their first cut, and
-// components and handles, by sites; and neighbours that face opposite ways, by those of the first surface.
-constexpr double kPlainWeak = 0.02, kPlainComplex = 0.01, kPlainConflict = 0.75;
+// components and handles, by sites; and neighbours that face opposite ways, by those of the first surface, where
+// that has no inside and where it may have one.
+constexpr double kPlainWeak = 0.02, kPlainComplex = 0.01, kPlainConflict = 0.75, kFarLessConflict = 0.25;
 
 // Is there a film, and are all its vertices sites?
 bool of_sites(const GuidingSurface& film) {
@@ -369,8 +370,9 @@ Pipeline::Candidate Pipeline::carve() {
     const bool better = sides.score() < (no_inside ? 1 : kMuchBetter) * best.score();
     const bool best_open = options_.open_boundary && sides.weak <= kLittleTrouble &&
                            complexity <= kLittleTrouble && better;
-    const bool plain = sides.weak <= kPlainWeak && complexity <= kPlainComplex && (no_inside || better) &&
-                       sides.quality.conflict < kPlainConflict * best.quality.conflict;
+    const bool plain =
+        sides.weak <= kPlainWeak && complexity <= kPlainComplex &&
+        sides.quality.conflict < (no_inside ? kPlainConflict : kFarLessConflict) * best.quality.conflict;
     if (best_open || plain) return options_.open_boundary ? std::move(sides) : without_gaps(std::move(sides));
     if (complexity <= kMostComplex && better) best = std::move(sides), two_sided = true;
   }
