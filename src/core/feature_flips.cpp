@@ -336,21 +336,10 @@ class FeatureFlips {
   }
 
   void flip(Index h) {
-    const Index u = twin_[h];
     const auto [a, b, c, d] = corners(h);
-    const Index bc = twin_[next_in_face(h)], ca = twin_[prev_in_face(h)], ad = twin_[next_in_face(u)],
-                db = twin_[prev_in_face(u)];
-    const auto join = [&](Index g, Index k) {
-      twin_[g] = k;
-      if (k != kNone) twin_[k] = g;
-    };
-    // Faces dca and cdb: h and u run along cd now.
-    const Index h1 = next_in_face(h), h2 = prev_in_face(h), u1 = next_in_face(u), u2 = prev_in_face(u);
-    const auto set = [&](Index g, Index v) { film_.triangles[g / 3][g % 3] = v; };
-    set(h, d), set(h1, c), set(h2, a);
-    set(u, c), set(u1, d), set(u2, b);
-    join(h1, ca), join(h2, ad), join(u1, db), join(u2, bc);
-    normal_[h / 3] = normal(d, c, a), normal_[u / 3] = normal(c, d, b);
+    const Index t = h / 3, u = twin_[h] / 3;
+    flip_edge(film_.triangles, twin_, h);
+    normal_[t] = normal(d, c, a), normal_[u] = normal(c, d, b);
   }
 
   // Those left, and of what the flips have changed, the edges of their faces and of the faces around these,

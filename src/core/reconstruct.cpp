@@ -9,6 +9,7 @@
 #include <new>
 #include <optional>
 
+#include "caps.h"
 #include "delaunay.h"
 #include "feature_flips.h"
 #include "monitor.h"
@@ -193,15 +194,17 @@ void run(const PointsView& points, const Options& options, const Execution& exec
   const auto orient = [&] {
     topology.emplace(film.triangles, static_cast<Index>(film.positions.size()));
     if (!topology->check.manifold()) return !film.triangles.empty();  // told of below
+    // Where sites lie on a plane, perturbed ones could be turned over.
+    parallel_each(film.site.size(),
+                  [&](std::size_t v) { film.positions[v] = sites.exact(points, film.site[v]); });
+    if (remove_caps(film, topology->twin) > 0)
+      topology.emplace(film.triangles, static_cast<Index>(film.positions.size()));
     if (options.sharp_edges) {
       monitor.enter("sharp edges", monitor.share());
-      // Where sites lie on a plane, perturbed ones could be turned over.
-      parallel_each(film.site.size(),
-                    [&](std::size_t v) { film.positions[v] = sites.exact(points, film.site[v]); });
       report.flips = flip_to_features(film, topology->twin, monitor.cancel());
-      topology->check = check_manifold_with_twins(film.triangles, static_cast<Index>(film.site.size()), topology->twin);
-      if (!topology->check.manifold()) return true;
     }
+    topology->check = check_manifold_with_twins(film.triangles, static_cast<Index>(film.site.size()), topology->twin);
+    if (!topology->check.manifold()) return true;
     std::vector<std::int32_t> ids(film.site.size());
     parallel_each(ids.size(), [&](std::size_t v) { ids[v] = sites.input[film.site[v]]; });
     if (options.open_boundary) face_viewpoint(film, *topology);

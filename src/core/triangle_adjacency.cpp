@@ -197,6 +197,21 @@ ManifoldCheck check_manifold_with_twins(const std::vector<Corners>& triangles, I
   return check;
 }
 
+void flip_edge(std::vector<Corners>& triangles, std::vector<Index>& twins, Index h) {
+  const Index u = twins[h];
+  const Index h1 = next_in_face(h), h2 = prev_in_face(h), u1 = next_in_face(u), u2 = prev_in_face(u);
+  const auto corner = [&](Index g) -> Index& { return triangles[g / 3][g % 3]; };
+  const Index a = corner(h), b = corner(h1), c = corner(h2), d = corner(u2);
+  const Index bc = twins[h1], ca = twins[h2], ad = twins[u1], db = twins[u2];
+  const auto join = [&](Index g, Index k) {
+    twins[g] = k;
+    if (k != kNone) twins[k] = g;
+  };
+  corner(h) = d, corner(h1) = c, corner(h2) = a;
+  corner(u) = c, corner(u1) = d, corner(u2) = b;
+  join(h1, ca), join(h2, ad), join(u1, db), join(u2, bc);
+}
+
 Index connected_components(const std::vector<Index>& twins, std::vector<Index>& component) {
   DisjointSets sets(twins.size() / 3);
   parallel_each(twins.size(), [&](std::size_t h) {

@@ -17,7 +17,8 @@
 namespace filmsticking::bench {
 namespace {
 
-constexpr Sampling kSamplings[] = {Sampling::MonteCarlo, Sampling::PoissonDisk, Sampling::MixedDensity};
+constexpr Sampling kSamplings[] = {Sampling::MonteCarlo, Sampling::PoissonDisk, Sampling::MixedDensity,
+                                   Sampling::DepthView};
 
 CloudSpec spec_of(Sampling sampling, std::int64_t points, std::uint64_t seed = 1) {
   CloudSpec spec;
@@ -103,7 +104,7 @@ TEST(Clouds, SameSeedSamePointsOtherSeedOtherPoints) {
     CloudSpec spec = spec_of(sampling, 500, 3);
     spec.noise.deviation = 0.01;
     spec.outliers = 0.1;
-    spec.missing = 0.2;
+    spec.missing = sampling == Sampling::DepthView ? 0 : 0.2;
     const std::vector<Point> points = make_cloud(sphere, spec);
     EXPECT_EQ(points, make_cloud(sphere, spec)) << name_of(sampling);
     spec.seed = 4;
@@ -223,6 +224,29 @@ TEST(Clouds, VerticesAreThoseOfTheFacesOnceEach) {
   EXPECT_THROW(make_cloud(box, damaged), std::invalid_argument);
 }
 
+// Of a sphere of radius 1, a camera that is d away from its middle sees what is more than 1 / d on its side.
+TEST(Clouds, DepthViewsAreOfWhatTheCameraSees) {
+  const Mesh sphere = make_shape("sphere", 20000);
+  const double horizon = 1 / (2 * std::sqrt(12));
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const CloudSpec spec = spec_of(Sampling::DepthView, 5000, seed);
+    const std::vector<Point> points = make_cloud(sphere, spec);
+    ASSERT_EQ(points.size(), 5000u);
+    Point sum{};
+    for (const Point& p : points)
+      for (int k = 0; k < 3; ++k) sum[k] += p[k];
+    const auto height = [&](const Point& p) {
+      return (p[0] * sum[0] + p[1] * sum[1] + p[2] * sum[2]) / norm(sum);
+    };
+    for (const Point& p : points) EXPECT_GT(height(p), horizon - 0.03);
+    const Mesh seen = sampled_part(sphere, spec);
+    double lowest = 1;
+    for (const Point& p : seen.positions) lowest = std::min(lowest, height(p));
+    EXPECT_NEAR(lowest, horizon, 0.05);
+    EXPECT_NEAR(SurfaceSampler(seen).area(), 2 * M_PI * (1 - horizon), 0.1);
+  }
+}
+
 TEST(Clouds, WhatCannotBeSampledIsRefused) {
   EXPECT_THROW(make_cloud({}, CloudSpec()), std::invalid_argument);
   EXPECT_THROW(make_cloud(make_box({1, 0, 0}), CloudSpec()), std::invalid_argument);
@@ -231,6 +255,9 @@ TEST(Clouds, WhatCannotBeSampledIsRefused) {
   EXPECT_THROW(make_cloud(make_box({1, 1, 1}), spec), std::invalid_argument);
   spec = CloudSpec();
   spec.missing = 1;
+  EXPECT_THROW(make_cloud(make_box({1, 1, 1}), spec), std::invalid_argument);
+  spec = spec_of(Sampling::DepthView, 100);
+  spec.missing = 0.1;
   EXPECT_THROW(make_cloud(make_box({1, 1, 1}), spec), std::invalid_argument);
   spec = CloudSpec();
   spec.noise.deviation = NAN;

@@ -2,6 +2,7 @@
 // Adjacency, first surfaces, orientation.
 #include <gtest/gtest.h>
 
+#include "caps.h"
 #include "enclosed_volume.h"
 #include "film_normals.h"
 #include "guiding_surface.h"
@@ -9,6 +10,7 @@
 #include "site_set.h"
 #include "support/clouds.h"
 #include "triangle_adjacency.h"
+#include "viewpoint.h"
 
 namespace filmsticking {
 namespace {
@@ -155,6 +157,121 @@ TEST(Orientation, TurnsSolidsOutwardAndCavitiesInward) {
       EXPECT_EQ(signed_volume6(one) > 0, part != 1) << flips << ' ' << part;
     }
   }
+}
+
+GuidingSurface film_of(std::vector<Vec3> positions, std::vector<Corners> triangles) {
+  GuidingSurface film{std::move(positions), {}, std::move(triangles)};
+  for (std::size_t v = 0; v < film.positions.size(); ++v) film.site.push_back(static_cast<Index>(v));
+  return film;
+}
+
+std::int64_t caps_removed(GuidingSurface& film) {
+  const auto vertices = static_cast<Index>(film.positions.size());
+  const std::int64_t removed = remove_caps(film, half_edge_twins(film.triangles, vertices));
+  EXPECT_TRUE(check_manifold(film.triangles, vertices).manifold());
+  std::vector<char> on(film.positions.size(), 0);
+  for (const Corners& t : film.triangles)
+    for (Index v : t) on[v] = 1;
+  EXPECT_EQ(std::count(on.begin(), on.end(), 0), 0);
+  return removed;
+}
+
+Vec3 normal(const GuidingSurface& film, Index t) {
+  return (film.corner(t, 1) - film.corner(t, 0)).cross(film.corner(t, 2) - film.corner(t, 0));
+}
+
+double area(const GuidingSurface& film) {
+  double sum = 0;
+  for (std::size_t t = 0; t < film.triangles.size(); ++t)
+    sum += normal(film, static_cast<Index>(t)).norm() / 2;
+  return sum;
+}
+
+// 2 on the edge of 0 and 1; 3 above it, 4 below.
+const std::vector<Vec3> kOnAnEdge = {{0, 0, 0}, {0.2, 0, 0}, {0.1, 1e-9, 0}, {0.1, 0.1, 0}, {0.1, -0.1, 0}};
+
+TEST(Caps, AreFlippedIntoTheFaceAcross) {
+  GuidingSurface film = film_of(kOnAnEdge, {{0, 1, 3}, {1, 0, 2}, {0, 4, 2}, {4, 1, 2}});
+  const double before = area(film);
+  EXPECT_EQ(caps_removed(film), 1);
+  EXPECT_EQ(film.triangles.size(), 4u);
+  EXPECT_NEAR(area(film), before, 1e-8);
+  EXPECT_EQ(caps_removed(film), 0);
+}
+
+TEST(Caps, AreLeftOutAtTheBorder) {
+  // 2 is inside: its faces form a ring.
+  GuidingSurface film =
+      film_of({{0, 0, 0}, {0.2, 0, 0}, {0.1, 1e-9, 0}, {0.1, -0.1, 0}}, {{1, 0, 2}, {0, 3, 2}, {3, 1, 2}});
+  EXPECT_EQ(caps_removed(film), 1);
+  EXPECT_EQ(film.triangles.size(), 2u);
+}
+
+TEST(Caps, StayWhereTheBorderWouldMeetItself) {
+  GuidingSurface film = film_of({{0, 0, 0}, {0.2, 0, 0}, {0.1, 0, 0}, {0, -0.1, 0}, {0.2, -0.1, 0}},
+                                {{1, 0, 2}, {0, 3, 2}, {4, 1, 2}});
+  EXPECT_EQ(caps_removed(film), 0);
+  EXPECT_EQ(film.triangles.size(), 3u);
+}
+
+TEST(Caps, GoWhereSeveralLieOnOneEdge) {
+  GuidingSurface film =
+      film_of({{0, 0, 0}, {0.3, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}, {0.1, 0.1, 0}, {0.1, -0.1, 0}},
+              {{0, 1, 4}, {1, 0, 3}, {3, 0, 2}, {0, 5, 2}, {2, 5, 3}, {3, 5, 1}});
+  const double before = area(film);
+  EXPECT_EQ(caps_removed(film), 2);
+  EXPECT_NEAR(area(film), before, 1e-12);
+  EXPECT_EQ(caps_removed(film), 0);
+}
+
+// Squares across z, some turned to -z, bent so that +z is their convex side.
+GuidingSurface squares(const std::vector<std::pair<Vec3, bool>>& places, double side) {
+  std::vector<Vec3> positions;
+  std::vector<Corners> triangles;
+  for (const auto& [place, back] : places) {
+    const auto n = static_cast<Index>(positions.size());
+    for (const Vec3& p :
+         {Vec3(0, 0, 0), Vec3(side, 0, -side / 4), Vec3(side, side, 0), Vec3(0, side, -side / 4)})
+      positions.push_back(place + p);
+    for (Corners t : {Corners{n, n + 1, n + 2}, Corners{n, n + 2, n + 3}}) {
+      if (back) std::swap(t[1], t[2]);
+      triangles.push_back(t);
+    }
+  }
+  return film_of(std::move(positions), std::move(triangles));
+}
+
+Index turned(GuidingSurface& film) {
+  return face_viewpoint(film, SurfaceTopology(film.triangles, static_cast<Index>(film.positions.size())));
+}
+
+TEST(Viewpoint, SeesTheFrontsOfAllPieces) {
+  for (const bool back : {false, true}) {
+    GuidingSurface film =
+        squares({{{0, 0, 0}, back}, {{-0.3, 0.1, -0.5}, true}, {{0.9, 0, -0.2}, false}}, 0.25);
+    film.positions[2] += Vec3(1e-3, 1e-3, 0);  // the first is the largest
+    EXPECT_EQ(turned(film), 1 + back);
+    for (Index t = 0; t < 6; ++t) EXPECT_GT(normal(film, t).z(), 0) << t;
+    EXPECT_EQ(turned(film), 0);
+  }
+}
+
+// All sides of a ball but a part of one: no point sees them.
+TEST(Viewpoint, TurnsNoOtherWhereThereIsNone) {
+  GuidingSurface film = squares({{{2, 0, 0}, true}}, 0.25);
+  const GuidingSurface ball = bounding_sphere({Vec3(0.5, 0.5, 0.5)});
+  std::vector<Vec3> positions = film.positions;
+  std::vector<Corners> triangles = film.triangles;
+  const auto first = static_cast<Index>(positions.size());
+  positions.insert(positions.end(), ball.positions.begin(), ball.positions.end());
+  for (std::size_t t = 1; t < ball.triangles.size(); ++t) {
+    Corners c = ball.triangles[t];
+    for (Index& v : c) v += first;
+    triangles.push_back(c);
+  }
+  film = film_of(std::move(positions), std::move(triangles));
+  EXPECT_EQ(turned(film), 0);
+  EXPECT_LT(normal(film, 0).z(), 0);
 }
 
 }  // namespace

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "caps.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "parallel.h"
+#include "triangle_adjacency.h"
+
+namespace filmsticking {
+namespace {
+
+// How far from the edge the corner may be, in units of the box that holds the sites, which is more than float
+// coordinates are rounded, and in lengths of the edge: tiny faces are none.
+constexpr double kRounding = 1e-7, kFlat = 1e-3;
+
+// The half-edge of a face that its third corner lies on, away from its ends; kNone: it is no cap.
+Index cap_edge(const GuidingSurface& film, Index t) {
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 a = film.corner(t, k), along = film.corner(t, (k + 1) % 3) - a,
+               up = film.corner(t, (k + 2) % 3) - a;
+    const double length = along.norm();
+    if (!(length > 0)) continue;
+    const double height = along.cross(up).norm() / length, margin = std::min(kRounding, kFlat * length);
+    const double foot = along.dot(up) / length;
+    if (height <= margin && foot > margin && foot < length - margin) return 3 * t + k;
+  }
+  return kNone;
+}
+
+// The caps in an order that no numbering changes.
+std::vector<Index> find_caps(const GuidingSurface& film) {
+  std::vector<char> cap(film.triangles.size());
+  parallel_each(cap.size(), [&](std::size_t t) { cap[t] = cap_edge(film, static_cast<Index>(t)) != kNone; });
+  std::vector<std::pair<std::array<Index, 3>, Index>> named;
+  for (std::size_t t = 0; t < cap.size(); ++t) {
+    if (!cap[t]) continue;
+    std::array<Index, 3> name;
+    for (int k = 0; k < 3; ++k) name[k] = film.site[film.triangles[t][k]];
+    std::sort(name.begin(), name.end());
+    named.emplace_back(name, static_cast<Index>(t));
+  }
+  std::sort(named.begin(), named.end());
+  std::vector<Index> caps;
+  for (const auto& entry : named) caps.push_back(entry.second);
+  return caps;
+}
+
+class CapRemoval {
+ public:
+  CapRemoval(GuidingSurface& film, const std::vector<Index>& twins)
+      : film_(film), twin_(twins), dropped_(film.triangles.size(), 0) {}
+
+  std::int64_t run(const std::vector<Index>& caps) {
+    std::int64_t removed = 0;
+    for (bool changed = true; changed;) {  // ends: a change leaves a cap less
+      changed = false;
+      for (const Index t : caps)
+        if (remove(t)) ++removed, changed = true;
+    }
+    std::vector<Corners> kept;
+    for (std::size_t t = 0; t < dropped_.size(); ++t)
+      if (!dropped_[t]) kept.push_back(film_.triangles[t]);
+    film_.triangles.swap(kept);
+    return removed;
+  }
+
+ private:
+  Index origin(Index h) const { return film_.triangles[h / 3][h % 3]; }
+
+  bool remove(Index t) {
+    const Index h = dropped_[t] ? kNone : cap_edge(film_, t);
+    if (h == kNone) return false;
+    if (twin_[h] == kNone) {
+      // A border that comes to the corner from both sides would part its faces.
+      if (!in_a_ring(prev_in_face(h))) return false;
+      dropped_[t] = 1;
+      for (Index g = 3 * t; g < 3 * t + 3; ++g)
+        if (twin_[g] != kNone) twin_[twin_[g]] = kNone, twin_[g] = kNone;
+      return true;
+    }
+    const Index u = twin_[h] / 3, c = prev_in_face(h), d = origin(prev_in_face(twin_[h]));
+    if (cap_edge(film_, u) != kNone || origin(c) == d || joined(c, d)) return false;
+    flip_edge(film_.triangles, twin_, h);
+    if (cap_edge(film_, t) == kNone && cap_edge(film_, u) == kNone) return true;
+    flip_edge(film_.triangles, twin_, h);  // back
+    return false;
+  }
+
+  // Do the faces around the origin of a half-edge form a ring?
+  bool in_a_ring(Index h) const {
+    Index g = h;
+    do g = twin_[prev_in_face(g)];
+    while (g != kNone && g != h);
+    return g == h;
+  }
+
+  // Is there an edge from the origin of a half-edge to a vertex?
+  bool joined(Index h, Index vertex) const {
+    const auto meets = [&](Index g) {
+      const Corners& c = film_.triangles[g / 3];
+      return c[0] == vertex || c[1] == vertex || c[2] == vertex;
+    };
+    Index g = h;
+    do {  // ends: around a vertex, back at the start or at a border
+      if (meets(g)) return true;
+      g = twin_[prev_in_face(g)];
+    } while (g != kNone && g != h);
+    if (g == h) return false;
+    for (g = twin_[h]; g != kNone; g = twin_[next_in_face(g)])
+      if (meets(g)) return true;
+    return false;
+  }
+
+  GuidingSurface& film_;
+  std::vector<Index> twin_;
+  std::vector<char> dropped_;  // of every face
+};
+
+}  // namespace
+
+std::int64_t remove_caps(GuidingSurface& film, const std::vector<Index>& twins) {
+  const std::vector<Index> caps = find_caps(film);
+  return caps.empty() ? 0 : CapRemoval(film, twins).run(caps);
+}
+
+}  // namespace filmsticking
