@@ -16,24 +16,26 @@ namespace {
 // coordinates are rounded, and in lengths of the edge: tiny faces are none.
 constexpr double kRounding = 1e-7, kFlat = 1e-3;
 
-// The half-edge of a face that its third corner lies on, away from its ends; kNone: it is no cap.
-Index cap_edge(const GuidingSurface& film, Index t) {
+// The edge of a face, by its first corner's place in it, that the third corner lies on, away from its ends;
+// kNone: it is no cap.
+Index cap_edge(const GuidingSurface& film, const Corners& face) {
   for (int k = 0; k < 3; ++k) {
-    const Vec3 a = film.corner(t, k), along = film.corner(t, (k + 1) % 3) - a,
-               up = film.corner(t, (k + 2) % 3) - a;
-    const double length = along.norm();
+    const Vec3 &a = film.positions[face[k]], &b = film.positions[face[(k + 1) % 3]],
+               &c = film.positions[face[(k + 2) % 3]];
+    const double length = (b - a).norm();
     if (!(length > 0)) continue;
-    const double height = along.cross(up).norm() / length, margin = std::min(kRounding, kFlat * length);
-    const double foot = along.dot(up) / length;
-    if (height <= margin && foot > margin && foot < length - margin) return 3 * t + k;
+    const double margin = std::min(kRounding, kFlat * length), foot = (b - a).dot(c - a) / length;
+    if ((b - a).cross(c - a).norm() <= margin * length && foot > margin && foot < length - margin) return k;
   }
   return kNone;
 }
 
+bool is_cap(const GuidingSurface& film, const Corners& face) { return cap_edge(film, face) != kNone; }
+
 // The caps in an order that no numbering changes.
 std::vector<Index> find_caps(const GuidingSurface& film) {
   std::vector<char> cap(film.triangles.size());
-  parallel_each(cap.size(), [&](std::size_t t) { cap[t] = cap_edge(film, static_cast<Index>(t)) != kNone; });
+  parallel_each(cap.size(), [&](std::size_t t) { cap[t] = is_cap(film, film.triangles[t]); });
   std::vector<std::pair<std::array<Index, 3>, Index>> named;
   for (std::size_t t = 0; t < cap.size(); ++t) {
     if (!cap[t]) continue;
@@ -71,8 +73,9 @@ class CapRemoval {
   Index origin(Index h) const { return film_.triangles[h / 3][h % 3]; }
 
   bool remove(Index t) {
-    const Index h = dropped_[t] ? kNone : cap_edge(film_, t);
-    if (h == kNone) return false;
+    const Index k = dropped_[t] ? kNone : cap_edge(film_, film_.triangles[t]);
+    if (k == kNone) return false;
+    const Index h = 3 * t + k;
     if (twin_[h] == kNone) {
       // A border that comes to the corner from both sides would part its faces.
       if (!in_a_ring(prev_in_face(h))) return false;
@@ -81,12 +84,13 @@ class CapRemoval {
         if (twin_[g] != kNone) twin_[twin_[g]] = kNone, twin_[g] = kNone;
       return true;
     }
-    const Index u = twin_[h] / 3, c = prev_in_face(h), d = origin(prev_in_face(twin_[h]));
-    if (cap_edge(film_, u) != kNone || origin(c) == d || joined(c, d)) return false;
+    const Index a = origin(h), b = origin(twin_[h]), c = origin(prev_in_face(h)),
+                d = origin(prev_in_face(twin_[h]));
+    if (c == d || is_cap(film_, {b, a, d}) || is_cap(film_, {d, c, a}) || is_cap(film_, {c, d, b}) ||
+        joined(prev_in_face(h), d))
+      return false;
     flip_edge(film_.triangles, twin_, h);
-    if (cap_edge(film_, t) == kNone && cap_edge(film_, u) == kNone) return true;
-    flip_edge(film_.triangles, twin_, h);  // back
-    return false;
+    return true;
   }
 
   // Do the faces around the origin of a half-edge form a ring?
