@@ -26,6 +26,18 @@ double enclosing_radius(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::sqrt(s[0] * s[1] * s[2]) / four_areas;
 }
 
+float face_gap(const GuidingSurface& film, Corners t, const SiteGeometry& geometry) {
+  // The last bit is that of any other numbering.
+  std::rotate(
+      t.begin(),
+      std::min_element(t.begin(), t.end(), [&](Index a, Index b) { return film.site[a] < film.site[b]; }),
+      t.end());
+  double spacing = 0;
+  for (Index v : t) spacing = std::max(spacing, geometry.spacing[film.site[v]]);
+  const double radius = enclosing_radius(film.positions[t[0]], film.positions[t[1]], film.positions[t[2]]);
+  return static_cast<float>(2 * radius / std::max(spacing, 1e-300));
+}
+
 std::vector<Corners> sites_of(const GuidingSurface& film, const std::vector<char>& keep) {
   std::vector<Corners> triangles;
   for (std::size_t t = 0; t < keep.size(); ++t) {
@@ -86,19 +98,12 @@ std::vector<char> supported(const GuidingSurface& film, const SiteGeometry& geom
 
 std::vector<float> face_gaps(const GuidingSurface& film, const SiteGeometry& geometry) {
   std::vector<float> gaps(film.triangles.size());
-  parallel_each(gaps.size(), [&](std::size_t i) {
-    Corners t = film.triangles[i];
-    // The last bit is that of any other numbering.
-    std::rotate(
-        t.begin(),
-        std::min_element(t.begin(), t.end(), [&](Index a, Index b) { return film.site[a] < film.site[b]; }),
-        t.end());
-    double spacing = 0;
-    for (Index v : t) spacing = std::max(spacing, geometry.spacing[film.site[v]]);
-    const double radius = enclosing_radius(film.positions[t[0]], film.positions[t[1]], film.positions[t[2]]);
-    gaps[i] = static_cast<float>(2 * radius / std::max(spacing, 1e-300));
-  });
+  parallel_each(gaps.size(), [&](std::size_t i) { gaps[i] = face_gap(film, film.triangles[i], geometry); });
   return gaps;
+}
+
+bool is_narrow(const GuidingSurface& film, const Corners& face, const SiteGeometry& geometry) {
+  return face_gap(film, face, geometry) <= kStillWide;
 }
 
 std::vector<char> manifold_without_bridges(const std::vector<Corners>& triangles,

@@ -12,6 +12,9 @@ namespace filmsticking {
 /// spacings of its corner with the largest. Without unit; about 1.5 on an evenly sampled surface.
 std::vector<float> face_gaps(const GuidingSurface& film, const SiteGeometry& geometry);
 
+/// Is a face with these corners no bridge by itself: is its gap below the low threshold of remove_bridges()?
+bool is_narrow(const GuidingSurface& film, const Corners& face, const SiteGeometry& geometry);
+
 /// Where the surface of some labels, itself not a manifold yet, will be one once its bridges are gone: 1 for
 /// a site whose other faces form one ring or one fan. `triangles`: of sites.
 std::vector<char> manifold_without_bridges(const std::vector<Corners>& triangles,

@@ -17,6 +17,7 @@
 #include "orientation.h"
 #include "outliers.h"
 #include "parallel.h"
+#include "pinholes.h"
 #include "pipeline.h"
 #include "site_set.h"
 #include "viewpoint.h"
@@ -197,8 +198,11 @@ void run(const PointsView& points, const Options& options, const Execution& exec
     // Where sites lie on a plane, perturbed ones could be turned over.
     parallel_each(film.site.size(),
                   [&](std::size_t v) { film.positions[v] = sites.exact(points, film.site[v]); });
-    if (remove_caps(film, topology->twin) > 0)
-      topology.emplace(film.triangles, static_cast<Index>(film.positions.size()));
+    const auto changed = [&](std::int64_t changes) {
+      if (changes > 0) topology.emplace(film.triangles, static_cast<Index>(film.positions.size()));
+    };
+    changed(remove_caps(film, topology->twin));
+    if (options.open_boundary) changed(fill_pinholes(film, topology->twin, geometry));
     if (options.sharp_edges) {
       monitor.enter("sharp edges", monitor.share());
       report.flips = flip_to_features(film, topology->twin, monitor.cancel());

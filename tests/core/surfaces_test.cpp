@@ -7,6 +7,7 @@
 #include "film_normals.h"
 #include "guiding_surface.h"
 #include "orientation.h"
+#include "pinholes.h"
 #include "site_set.h"
 #include "support/clouds.h"
 #include "triangle_adjacency.h"
@@ -233,6 +234,75 @@ TEST(Caps, GoWhereSeveralLieOnOneEdge) {
   EXPECT_EQ(caps_removed(film), 2);
   EXPECT_NEAR(area(film), before, 1e-12);
   EXPECT_EQ(caps_removed(film), 0);
+}
+
+// A ball of faces about `spacing` wide without those that `away` says of, by their middles.
+template <class Away>
+GuidingSurface ball_without(const Away& away) {
+  GuidingSurface film = bounding_sphere({Vec3(0.5, 0.5, 0.5)});
+  std::vector<Corners> triangles;
+  for (std::size_t t = 0; t < film.triangles.size(); ++t) {
+    const auto i = static_cast<Index>(t);
+    if (!away((film.corner(i, 0) + film.corner(i, 1) + film.corner(i, 2)) / 3))
+      triangles.push_back(film.triangles[t]);
+  }
+  return film_of(std::move(film.positions), std::move(triangles));
+}
+
+std::int64_t holes_filled(GuidingSurface& film, double spacing) {
+  const auto vertices = static_cast<Index>(film.positions.size());
+  SiteGeometry geometry;
+  geometry.spacing.assign(film.positions.size(), spacing);
+  const std::int64_t filled = fill_pinholes(film, half_edge_twins(film.triangles, vertices), geometry);
+  EXPECT_TRUE(check_manifold(film.triangles, vertices).manifold());
+  return filled;
+}
+
+std::int64_t border_edges(const GuidingSurface& film) {
+  return check_manifold(film.triangles, static_cast<Index>(film.positions.size())).boundary_edges;
+}
+
+TEST(Pinholes, AreFilledIfTheyAreNotWide) {
+  const GuidingSurface whole = ball_without([](const Vec3&) { return false; });
+  const double spacing = std::sqrt(area(whole) / static_cast<double>(whole.positions.size()));
+  const Vec3 a = whole.corner(7, 0),
+             b = (whole.corner(40, 0) + whole.corner(40, 1) + whole.corner(40, 2)) / 3;
+  const auto near = [&](const Vec3& p) {
+    return (p - a).norm() < 0.9 * spacing || (p - b).norm() < 0.1 * spacing;  // a ring of faces, and one face
+  };
+  GuidingSurface film = ball_without(near);
+  const std::int64_t edges = border_edges(film);
+  ASSERT_GE(edges, 7);
+  EXPECT_EQ(holes_filled(film, spacing / 5), 0);  // the same hole is five times as many spacings wide
+  EXPECT_EQ(border_edges(film), edges);
+  EXPECT_EQ(holes_filled(film, spacing), 2);
+  EXPECT_EQ(border_edges(film), 0);
+  EXPECT_NEAR(area(film), area(whole), 0.01 * area(whole));
+}
+
+TEST(Pinholes, TheRimOfAPieceIsNone) {
+  const GuidingSurface whole = ball_without([](const Vec3&) { return false; });
+  const double spacing = std::sqrt(area(whole) / static_cast<double>(whole.positions.size()));
+  const Vec3 a = whole.corner(7, 0);
+  GuidingSurface film = ball_without([&](const Vec3& p) { return (p - a).norm() > 0.9 * spacing; });
+  const std::int64_t edges = border_edges(film);
+  ASSERT_GE(edges, 5);
+  EXPECT_EQ(holes_filled(film, spacing), 0);
+  EXPECT_EQ(border_edges(film), edges);
+}
+
+// A wall through the hole.
+TEST(Pinholes, StayWhereTheFillingWouldMeetAnother) {
+  const GuidingSurface whole = ball_without([](const Vec3&) { return false; });
+  const double spacing = std::sqrt(area(whole) / static_cast<double>(whole.positions.size()));
+  const Vec3 a = whole.corner(7, 0);
+  GuidingSurface film = ball_without([&](const Vec3& p) { return (p - a).norm() < 0.9 * spacing; });
+  const auto n = static_cast<Index>(film.positions.size());
+  const Vec3 across = spacing / 20 * a.unitOrthogonal();
+  for (const Vec3& p : {Vec3(0.5 * a), Vec3(2 * a + across), Vec3(2 * a - across)})
+    film.positions.push_back(p), film.site.push_back(static_cast<Index>(film.site.size()));
+  film.triangles.push_back({n, n + 1, n + 2});
+  EXPECT_EQ(holes_filled(film, spacing), 0);
 }
 
 // Squares across z, some turned to -z, bent so that +z is their convex side.
