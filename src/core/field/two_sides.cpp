@@ -15,10 +15,6 @@ namespace {
 // Facets with edges longer than this, in spacings, say less: by the fourth power, so that the rim of an open
 // surface, which wide facets go around from one side to the other, does not count against the surface.
 constexpr double kNear = 2;
-// What a facet that does not stand on the surface, or stands at its rim, still says that its tetrahedra are
-// on one side. There is a way around a rim, and clusters that first meet there would be joined across it.
-constexpr double kAtRim = 0.03;
-
 /// The edges of the surface: of the facets that all corners vote for.
 class SurfaceEdges {
  public:
@@ -179,7 +175,7 @@ class Contraction {
 }  // namespace
 
 std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
-                              const FacetEvidence& evidence, const SiteGeometry& geometry,
+                              const FacetEvidence& evidence, const SiteGeometry& geometry, double at_rim,
                               const Cancel& cancel) {
   std::vector<double> weight(4 * mesh.size(), 0);
   const SurfaceEdges surface(mesh, evidence);
@@ -194,7 +190,7 @@ std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec
       const double sample = spacing * spacing, near = std::min(1.0, kNear * kNear * sample / edge2);
       const double coupling = kVoteCoupling[evidence.votes[t][k]];
       weight[4 * t + k] = coupling * std::min<double>(evidence.area[t][k], sample) * near * near *
-                          (coupling > 0 && !surface.carry(c, k) ? kAtRim : 1);
+                          (coupling > 0 && !surface.carry(c, k) ? at_rim : 1);
     }
   });
   Contraction contraction(mesh, std::move(weight));

@@ -16,12 +16,12 @@ namespace filmsticking {
 /// A facet says that its tetrahedra are on one side (no votes) or on two (three votes), with a weight of at
 /// most the area of one sample and far less for wide facets, so that those around the rim of an open surface
 /// do not outvote the surface; "one side" counts where the facet stands on the surface, between two facets
-/// that all corners vote for, and little in the air and at the rim. The two clusters with the strongest sum
-/// of such evidence between them become one, again and again, with the signs that it asks for: greedy
-/// additive edge contraction (Keuper et al. 2015) for two colours. At last the colour that has more of the
-/// hull is outside.
+/// that all corners vote for, and `at_rim` of that in the air and at the rim. The two clusters with the
+/// strongest sum of such evidence between them become one, again and again, with the signs that it asks for:
+/// greedy additive edge contraction (Keuper et al. 2015) for two colours. At last the colour that has more of
+/// the hull is outside.
 std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
-                              const FacetEvidence& evidence, const SiteGeometry& geometry,
+                              const FacetEvidence& evidence, const SiteGeometry& geometry, double at_rim,
                               const Cancel& cancel = {});
 
 }  // namespace filmsticking
