@@ -73,11 +73,10 @@ constexpr double kMuchBetter = 0.9;
 // Tetrahedra a site above which the points are on no surface, but on two curves, say.
 constexpr std::int64_t kMostForVirtual = 64;
 
-// What a facet that does not stand on the surface, or stands at its rim, still says that its tetrahedra are on
-// one side, of what it says elsewhere. There is a way around a rim, and clusters that first meet there would be
-// joined across it. Which is best is chance: of an open surface, where some of it is turned over against the
-// rest, the best of these is taken. No more than this share of neighbours face opposite ways where it is not.
-constexpr double kAtRim[] = {0.03, 0.1, 0.3}, kLittleConflict = 0.005;
+// Which is best, chance and noise say: of an open surface, where some of it is turned over against the rest, the
+// best of these is taken. No more than this share of neighbours face opposite ways where it is not.
+constexpr RimRule kRimRules[] = {{3, 0.03}, {2, 0.03}, {3, 0.3}};
+constexpr double kLittleConflict = 0.005;
 
 // Components and handles a site above which two sides are not those of an open surface, but of thin walls,
 // whose layers they confuse.
@@ -366,11 +365,11 @@ Pipeline::Candidate Pipeline::carve() {
   if (best.weak > kSomeTrouble) {
     monitor_.enter("two sides", monitor_.share());
     Candidate sides;
-    for (const double at_rim : kAtRim) {
+    for (const RimRule& rim : kRimRules) {
       const std::vector<double> belief =
-          two_sides(mesh_, sites_.perturbed, evidence_, geometry_, at_rim, monitor_.cancel());
+          two_sides(mesh_, sites_.perturbed, evidence_, geometry_, rim, monitor_.cancel());
       Candidate next = judged(cut(belief, kSidesConviction, options_.open_boundary));
-      if (at_rim == kAtRim[0] || next.score() < sides.score()) sides = std::move(next);
+      if (&rim == kRimRules || next.score() < sides.score()) sides = std::move(next);
       if (!options_.open_boundary || sides.quality.conflict <= kLittleConflict) break;
     }
     const double complexity =

@@ -15,13 +15,13 @@ namespace {
 // Facets with edges longer than this, in spacings, say less: by the fourth power, so that the rim of an open
 // surface, which wide facets go around from one side to the other, does not count against the surface.
 constexpr double kNear = 2;
-/// The edges of the surface: of the facets that all corners vote for.
+/// The edges of the surface: of the facets that enough corners vote for.
 class SurfaceEdges {
  public:
-  SurfaceEdges(const TetrahedralMesh& mesh, const FacetEvidence& evidence) {
+  SurfaceEdges(const TetrahedralMesh& mesh, const FacetEvidence& evidence, int votes) {
     for (std::size_t t = 0; t < mesh.size(); ++t)
       for (int k = 0; k < 4; ++k) {
-        if (mesh.mirror[t][k] < static_cast<Index>(4 * t) + k || evidence.votes[t][k] < 3) continue;
+        if (mesh.mirror[t][k] < static_cast<Index>(4 * t) + k || evidence.votes[t][k] < votes) continue;
         for (const auto& edge : edges_of(mesh.tets.corners[t], k)) edges_.push_back(edge);
       }
     std::sort(edges_.begin(), edges_.end());
@@ -175,10 +175,10 @@ class Contraction {
 }  // namespace
 
 std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
-                              const FacetEvidence& evidence, const SiteGeometry& geometry, double at_rim,
+                              const FacetEvidence& evidence, const SiteGeometry& geometry, const RimRule& rim,
                               const Cancel& cancel) {
   std::vector<double> weight(4 * mesh.size(), 0);
-  const SurfaceEdges surface(mesh, evidence);
+  const SurfaceEdges surface(mesh, evidence, rim.votes);
   parallel_each(mesh.size(), [&](std::size_t t) {
     for (int k = 0; k < 4; ++k) {
       if (mesh.mirror[t][k] < static_cast<Index>(4 * t) + k || !(evidence.area[t][k] > 0)) continue;
@@ -190,7 +190,7 @@ std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec
       const double sample = spacing * spacing, near = std::min(1.0, kNear * kNear * sample / edge2);
       const double coupling = kVoteCoupling[evidence.votes[t][k]];
       weight[4 * t + k] = coupling * std::min<double>(evidence.area[t][k], sample) * near * near *
-                          (coupling > 0 && !surface.carry(c, k) ? at_rim : 1);
+                          (coupling > 0 && !surface.carry(c, k) ? rim.weight : 1);
     }
   });
   Contraction contraction(mesh, std::move(weight));
