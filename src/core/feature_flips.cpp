@@ -233,7 +233,7 @@ class FeatureFlips {
     const Index g = canonical(h);
     const Four tet = corners(g);
     const Index c = tet[2], d = tet[3];
-    if (c == d || joined(prev_in_face(g), d, prev_in_face(twin_[g]), c)) return Verdict::Never;
+    if (c == d || have_edge(film_.triangles, twin_, prev_in_face(g), prev_in_face(twin_[g]))) return Verdict::Never;
     Box box = box_of(tet);
     box.min().array() -= kMargin, box.max().array() += kMargin;
     const Fence fence(film_.positions, tet);
@@ -306,34 +306,6 @@ class FeatureFlips {
     std::array<Vec3, 4> out_;
     int count_ = 0;
   };
-
-  // Walks around the origins of g and k at once, so that the one with fewer faces says it.
-  bool joined(Index g, Index to_g, Index k, Index to_k) const {
-    Turn one(g), other(k);
-    while (!one.done && !other.done) {
-      if (target(one.at) == to_g || target(other.at) == to_k) return true;
-      if (apex(one.at) == to_g || apex(other.at) == to_k) return true;
-      turn(one), turn(other);
-    }
-    return false;
-  }
-  // Around a vertex, and where that ends at a border, the other way from the start.
-  struct Turn {
-    explicit Turn(Index h) : start(h), at(h) {}
-    Index start, at;
-    bool back = false, done = false;
-  };
-  void turn(Turn& t) const {
-    if (!t.back) {
-      const Index next = twin_[prev_in_face(t.at)];
-      t.done = next == t.start;
-      if (next != kNone) t.at = next;
-      if (next != kNone) return;
-      t.back = true, t.at = t.start;
-    }
-    t.done = twin_[t.at] == kNone;
-    if (!t.done) t.at = next_in_face(twin_[t.at]);
-  }
 
   void flip(Index h) {
     const auto [a, b, c, d] = corners(h);

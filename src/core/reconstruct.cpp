@@ -9,7 +9,7 @@
 #include <new>
 #include <optional>
 
-#include "caps.h"
+#include "cap_faces.h"
 #include "delaunay.h"
 #include "feature_flips.h"
 #include "monitor.h"
@@ -201,13 +201,13 @@ void run(const PointsView& points, const Options& options, const Execution& exec
     const auto changed = [&](std::int64_t changes) {
       if (changes > 0) topology.emplace(film.triangles, static_cast<Index>(film.positions.size()));
     };
-    changed(remove_caps(film, topology->twin));
+    changed(remove_cap_faces(film, topology->twin));
     if (options.open_boundary) changed(fill_pinholes(film, topology->twin, geometry));
     if (options.sharp_edges) {
       monitor.enter("sharp edges", monitor.share());
       report.flips = flip_to_features(film, topology->twin, monitor.cancel());
+      topology->check = check_manifold_with_twins(film.triangles, static_cast<Index>(film.site.size()), topology->twin);
     }
-    topology->check = check_manifold_with_twins(film.triangles, static_cast<Index>(film.site.size()), topology->twin);
     if (!topology->check.manifold()) return true;
     std::vector<std::int32_t> ids(film.site.size());
     parallel_each(ids.size(), [&](std::size_t v) { ids[v] = sites.input[film.site[v]]; });

@@ -106,6 +106,32 @@ bool single_rings(const std::vector<Corners>& triangles, const std::vector<Index
   return single;
 }
 
+// Around the origin of a half-edge, from it on, and where that ends at a border, the other way from the start.
+class FaceTurn {
+ public:
+  FaceTurn(const std::vector<Index>& twins, Index start) : twins_(twins), start_(start), at_(start) {}
+
+  Index at() const { return at_; }
+  bool done() const { return done_; }
+
+  void turn() {
+    if (!back_) {
+      const Index next = twins_[prev_in_face(at_)];
+      done_ = next == start_;
+      if (next != kNone) at_ = next;
+      if (next != kNone) return;
+      back_ = true, at_ = start_;
+    }
+    done_ = twins_[at_] == kNone;
+    if (!done_) at_ = next_in_face(twins_[at_]);
+  }
+
+ private:
+  const std::vector<Index>& twins_;
+  Index start_, at_;
+  bool back_ = false, done_ = false;
+};
+
 }  // namespace
 
 std::vector<Index> half_edge_twins(const std::vector<Corners>& triangles, Index vertex_count) {
@@ -195,6 +221,18 @@ ManifoldCheck check_manifold_with_twins(const std::vector<Corners>& triangles, I
   // Faces in one ring or fan, with different edges: then no edge has other faces than its two half-edges'.
   check.single_rings = single_rings(triangles, twins, degree, true);
   return check;
+}
+
+bool have_edge(const std::vector<Corners>& triangles, const std::vector<Index>& twins, Index g, Index k) {
+  const auto corner = [&](Index h) { return triangles[h / 3][h % 3]; };
+  const Index to_g = corner(k), to_k = corner(g);
+  FaceTurn one(twins, g), other(twins, k);
+  while (!one.done() && !other.done()) {
+    if (corner(next_in_face(one.at())) == to_g || corner(next_in_face(other.at())) == to_k) return true;
+    if (corner(prev_in_face(one.at())) == to_g || corner(prev_in_face(other.at())) == to_k) return true;
+    one.turn(), other.turn();
+  }
+  return false;
 }
 
 void flip_edge(std::vector<Corners>& triangles, std::vector<Index>& twins, Index h) {

@@ -2,7 +2,7 @@
 // Adjacency, first surfaces, orientation.
 #include <gtest/gtest.h>
 
-#include "caps.h"
+#include "cap_faces.h"
 #include "enclosed_volume.h"
 #include "film_normals.h"
 #include "guiding_surface.h"
@@ -168,7 +168,7 @@ GuidingSurface film_of(std::vector<Vec3> positions, std::vector<Corners> triangl
 
 std::int64_t caps_removed(GuidingSurface& film) {
   const auto vertices = static_cast<Index>(film.positions.size());
-  const std::int64_t removed = remove_caps(film, half_edge_twins(film.triangles, vertices));
+  const std::int64_t removed = remove_cap_faces(film, half_edge_twins(film.triangles, vertices));
   EXPECT_TRUE(check_manifold(film.triangles, vertices).manifold());
   std::vector<char> on(film.positions.size(), 0);
   for (const Corners& t : film.triangles)

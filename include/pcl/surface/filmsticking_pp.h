@@ -186,8 +186,8 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   bool getInsertLeftover() const { return options_.insert_leftover; }
 
   /** \brief Set whether the faces that no data supports are left out: of a scan
-   * from one side the visible surface is left, a manifold with boundary, all of whose pieces face one viewpoint
-   * on the convex side of the largest. A cloud from all sides stays closed.
+   * from one side the visible surface is left, a manifold with boundary, whose pieces face one viewpoint
+   * on the convex side of the largest, where one sees that. A cloud from all sides stays closed.
    * Off by default. See getFaceGaps().
    */
   void setOutputBoundary(bool output_boundary) { options_.open_boundary = output_boundary; }

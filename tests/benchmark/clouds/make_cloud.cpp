@@ -88,9 +88,11 @@ std::vector<Point> make_cloud(const Mesh& mesh, const CloudSpec& spec) {
   const std::size_t total = samples.size() + outliers;
 
   const bool whole = spec.sampling != Sampling::DepthView;
-  const double area = whole ? surface.area() : SurfaceSampler(sampled_part(mesh, spec)).area();
-  const double spacing = std::sqrt(area / static_cast<double>(total));
-  const double sigma = spec.noise.deviation * (spec.noise.in_spacings ? spacing : surface.diagonal());
+  double sigma = spec.noise.deviation * surface.diagonal();
+  if (sigma > 0 && spec.noise.in_spacings) {
+    const double area = whole ? surface.area() : SurfaceSampler(sampled_part(mesh, spec)).area();
+    sigma = spec.noise.deviation * std::sqrt(area / static_cast<double>(total));
+  }
   const auto placed = [&](Vec3 p) {
     if (sigma > 0)
       for (int k = 0; k < 3; ++k) p[k] += sigma * random.gauss();

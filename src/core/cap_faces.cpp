@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "caps.h"
+#include "cap_faces.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -33,7 +33,7 @@ Index cap_edge(const GuidingSurface& film, const Corners& face) {
 bool is_cap(const GuidingSurface& film, const Corners& face) { return cap_edge(film, face) != kNone; }
 
 // The caps in an order that no numbering changes.
-std::vector<Index> find_caps(const GuidingSurface& film) {
+std::vector<Index> find_cap_faces(const GuidingSurface& film) {
   std::vector<char> cap(film.triangles.size());
   parallel_each(cap.size(), [&](std::size_t t) { cap[t] = is_cap(film, film.triangles[t]); });
   std::vector<std::pair<std::array<Index, 3>, Index>> named;
@@ -87,7 +87,7 @@ class CapRemoval {
     const Index a = origin(h), b = origin(twin_[h]), c = origin(prev_in_face(h)),
                 d = origin(prev_in_face(twin_[h]));
     if (c == d || is_cap(film_, {b, a, d}) || is_cap(film_, {d, c, a}) || is_cap(film_, {c, d, b}) ||
-        joined(prev_in_face(h), d))
+        have_edge(film_.triangles, twin_, prev_in_face(h), prev_in_face(twin_[h])))
       return false;
     flip_edge(film_.triangles, twin_, h);
     return true;
@@ -101,23 +101,6 @@ class CapRemoval {
     return g == h;
   }
 
-  // Is there an edge from the origin of a half-edge to a vertex?
-  bool joined(Index h, Index vertex) const {
-    const auto meets = [&](Index g) {
-      const Corners& c = film_.triangles[g / 3];
-      return c[0] == vertex || c[1] == vertex || c[2] == vertex;
-    };
-    Index g = h;
-    do {  // ends: around a vertex, back at the start or at a border
-      if (meets(g)) return true;
-      g = twin_[prev_in_face(g)];
-    } while (g != kNone && g != h);
-    if (g == h) return false;
-    for (g = twin_[h]; g != kNone; g = twin_[next_in_face(g)])
-      if (meets(g)) return true;
-    return false;
-  }
-
   GuidingSurface& film_;
   std::vector<Index> twin_;
   std::vector<char> dropped_;  // of every face
@@ -125,8 +108,8 @@ class CapRemoval {
 
 }  // namespace
 
-std::int64_t remove_caps(GuidingSurface& film, const std::vector<Index>& twins) {
-  const std::vector<Index> caps = find_caps(film);
+std::int64_t remove_cap_faces(GuidingSurface& film, const std::vector<Index>& twins) {
+  const std::vector<Index> caps = find_cap_faces(film);
   return caps.empty() ? 0 : CapRemoval(film, twins).run(caps);
 }
 

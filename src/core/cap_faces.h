@@ -15,6 +15,6 @@ namespace filmsticking {
 ///
 /// The manifold stays one and its vertices stay on it; caps for which that cannot be are left. The same for
 /// any numbering of vertices and faces. `twins`: the film's half_edge_twins() before. Returns how many.
-std::int64_t remove_caps(GuidingSurface& film, const std::vector<Index>& twins);
+std::int64_t remove_cap_faces(GuidingSurface& film, const std::vector<Index>& twins);
 
 }  // namespace filmsticking
