@@ -23,6 +23,7 @@
 #include "insert_sites.h"
 #include "open_surface.h"
 #include "parallel.h"
+#include "viewpoint.h"
 #include "virtual_sites.h"
 
 namespace filmsticking {
@@ -75,8 +76,10 @@ constexpr std::int64_t kMostForVirtual = 64;
 
 // Which is best, chance and noise say: of an open surface, where some of it is turned over against the rest, the
 // best of these is taken. No more than this share of neighbours face opposite ways where it is not.
-constexpr RimRule kRimRules[] = {{3, 0.03}, {2, 0.03}, {3, 0.3}};
+constexpr RimRule kFirstRim{3, 0.03}, kSecondRim{2, 0.03}, kThirdRim{3, 0.3};
 constexpr double kLittleConflict = 0.005;
+// What it would cost to show another side to the point that it was seen from everywhere.
+constexpr double kTurnedPrice = 0.5;
 
 // Components and handles a site above which two sides are not those of an open surface, but of thin walls,
 // whose layers they confuse.
@@ -353,6 +356,30 @@ Pipeline::Candidate Pipeline::refined(Candidate best) {
   return best;
 }
 
+// By the facets alone. Where some of an open surface is turned over against the rest, by other rules as well, and
+// if it is a scan from one side, by the point that it was seen from, which the first surfaces tell.
+Pipeline::Candidate Pipeline::cut_two_sides() {
+  const auto by_rule = [&](const RimRule& rim, const Vec3* viewpoint) {
+    monitor_.enter("two sides", monitor_.share());
+    return judged(cut(
+        two_sides(mesh_, sites_.perturbed, evidence_, geometry_, rim, viewpoint, monitor_.cancel()),
+        kSidesConviction, options_.open_boundary));
+  };
+  Candidate best = by_rule(kFirstRim, nullptr);
+  if (!options_.open_boundary || best.quality.conflict <= kLittleConflict) return best;
+  Candidate next = by_rule(kSecondRim, nullptr);
+  if (next.score() < best.score()) best = std::move(next);
+  if (best.quality.conflict <= kLittleConflict) return best;
+  monitor_.enter("two sides", monitor_.share());
+  const Vec3 viewpoint = common_viewpoint(best.film);
+  const bool one_view = seen_once(best.film, viewpoint);
+  next = by_rule(kThirdRim, one_view ? &viewpoint : nullptr);
+  const auto price = [&](const Candidate& sides) {
+    return sides.score() + (one_view ? kTurnedPrice * turned_away(sides.film, viewpoint) : 0);
+  };
+  return price(next) < price(best) ? std::move(next) : std::move(best);
+}
+
 // By local evidence alone; where its first cut leaves many sites off, also by carving at a few widths and
 // convictions, and where there is no telling inside from outside (open surfaces), by the film from the
 // sphere. The best of these is cut again by its own normals.
@@ -363,15 +390,7 @@ Pipeline::Candidate Pipeline::carve() {
   best = judged(std::move(best));
   bool two_sided = false;  // with its normals there still is no inside
   if (best.weak > kSomeTrouble) {
-    monitor_.enter("two sides", monitor_.share());
-    Candidate sides;
-    for (const RimRule& rim : kRimRules) {
-      const std::vector<double> belief =
-          two_sides(mesh_, sites_.perturbed, evidence_, geometry_, rim, monitor_.cancel());
-      Candidate next = judged(cut(belief, kSidesConviction, options_.open_boundary));
-      if (&rim == kRimRules || next.score() < sides.score()) sides = std::move(next);
-      if (!options_.open_boundary || sides.quality.conflict <= kLittleConflict) break;
-    }
+    Candidate sides = cut_two_sides();
     const double complexity =
         static_cast<double>(sides.quality.complexity) / static_cast<double>(sites_.size());
     // A plain open surface: nothing else can be better, and all else takes long there. Closed, it has faces

@@ -49,6 +49,7 @@ class Pipeline {
   std::vector<Vec3> with_virtual_sites(const GuidingSurface& film) const;
   Candidate finish(GuidingSurface film);
   Candidate cut(const std::vector<double>& belief, double conviction, bool open = false);
+  Candidate cut_two_sides();
   Candidate without_gaps(Candidate candidate);
   GuidingSurface film_of(const std::vector<char>& labels) const;
   std::vector<char> exempt(const std::vector<char>& labels) const;

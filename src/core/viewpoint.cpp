@@ -6,15 +6,28 @@
 #include <cmath>
 #include <utility>
 
+#include "parallel.h"
+
 namespace filmsticking {
 namespace {
 
-// How far from the middle of the component the point is looked for, in its mean distance from there: within a
-// room that was scanned, in front of an object, and as good as at infinity.
-constexpr double kDistances[] = {0.25, 0.5, 1, 2, 4, 8, 32};
-// The share of the largest component that must be seen. Faces along the line of sight are seen or not by
-// noise.
-constexpr double kSeen = 0.9;
+// How far from the middle of the surface the point is looked for, in the mean distance from there, and in how
+// many directions. From nearer, between two parts that are turned against each other, both show the same
+// side.
+constexpr double kDistances[] = {2, 4, 8, 32};
+constexpr int kDirections = 128;
+// Then in smaller and smaller steps, as shares of the distance.
+constexpr double kFirstStep = 0.15, kLastStep = 0.01;
+constexpr int kStepsOfOneSize = 3;
+// Edges and lines are a sample of at most about so many; the share of the lines that may cross the surface
+// again: of scans from one side up to a quarter do, in noise, and of what was scanned all around half or
+// more.
+constexpr std::size_t kEdges = 4000, kLines = 128;
+constexpr double kCrossAgain = 0.35;
+// A line may cross the surface again within so many longest edges of a face.
+constexpr double kFaceReach = 4;
+// Edges at which a surface turns further than this, in radians, are folds at its rim, not bends.
+constexpr double kFold = 1;
 
 struct Component {
   std::vector<Index> faces;
@@ -31,7 +44,53 @@ Vec3 middle(const GuidingSurface& surface, Index t) {
   return (surface.corner(t, 0) + surface.corner(t, 1) + surface.corner(t, 2)) / 3;
 }
 
-// The share of its area that shows its front to a point.
+// Where the points are: their mean, and their mean distance from it.
+std::pair<Vec3, double> extent(const std::vector<Vec3>& points) {
+  const auto n = static_cast<double>(points.size());
+  Vec3 centre = Vec3::Zero();
+  for (const Vec3& p : points) centre += p / n;
+  double size = 0;
+  for (const Vec3& p : points) size += (p - centre).norm() / n;
+  return {centre, size};
+}
+
+// An edge between two faces: where it is and their unit normals.
+struct Edge {
+  Vec3 middle, left, right;
+};
+
+std::vector<Edge> some_edges(const GuidingSurface& surface) {
+  const std::vector<Index> twin =
+      half_edge_twins(surface.triangles, static_cast<Index>(surface.positions.size()));
+  std::vector<Index> inner;
+  for (Index h = 0; h < static_cast<Index>(twin.size()); ++h)
+    if (twin[h] > h) inner.push_back(h);
+  std::vector<Edge> edges;
+  for (std::size_t i = 0; i < inner.size(); i += inner.size() / kEdges + 1) {
+    const Index h = inner[i];
+    edges.push_back({(surface.corner(h / 3, h % 3) + surface.corner(h / 3, (h + 1) % 3)) / 2,
+                     area_vector(surface, h / 3).normalized(),
+                     area_vector(surface, twin[h] / 3).normalized()});
+  }
+  return edges;
+}
+
+// Does the line through x along a unit vector meet the surface farther than that from x?
+bool crosses_beyond(const GuidingSurface& surface, const Vec3& x, const Vec3& along, double distance) {
+  const double crossed = parallel_sum(surface.triangles.size(), [&](std::size_t t) {
+    const auto face = static_cast<Index>(t);
+    const Vec3 a = surface.corner(face, 0) - x, b = surface.corner(face, 1) - x,
+               c = surface.corner(face, 2) - x;
+    const Vec3 bc = b.cross(c);
+    const double u = along.dot(a.cross(b)), v = along.dot(bc), w = along.dot(c.cross(a));
+    const bool crosses = (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
+    // The line meets the plane of the face at a . bc / (u + v + w).
+    return crosses && std::abs(a.dot(bc)) > distance * std::abs(u + v + w) ? 1 : 0;
+  });
+  return crossed > 0;
+}
+
+// The share of a component's area that shows its front to a point.
 double seen_from(const GuidingSurface& surface, const Component& component, const Vec3& eye) {
   double seen = 0;
   for (Index t : component.faces) {
@@ -51,8 +110,9 @@ double convexity(const GuidingSurface& surface, const SurfaceTopology& topology,
       if (twin == kNone || twin < h) continue;
       const Vec3 a = area_vector(surface, t), b = area_vector(surface, twin / 3);
       const Vec3 edge = surface.corner(t, (k + 1) % 3) - surface.corner(t, k);
+      const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
       // The left face leans to the left and the right one to the right where it bends towards its back.
-      sum += std::copysign(edge.norm() * std::atan2(a.cross(b).norm(), a.dot(b)), a.cross(b).dot(edge));
+      if (angle < kFold) sum += std::copysign(edge.norm() * angle, a.cross(b).dot(edge));
     }
   return sum;
 }
@@ -62,6 +122,63 @@ void turn(GuidingSurface& surface, const Component& component) {
 }
 
 }  // namespace
+
+Vec3 common_viewpoint(const GuidingSurface& surface) {
+  const auto [centre, size] = extent(surface.positions);
+  const std::vector<Edge> edges = some_edges(surface);
+  Vec3 best = centre;
+  double most = -1;
+  const auto consider = [&](const Vec3& eye) {
+    const double agreement = parallel_sum(edges.size(), [&](std::size_t i) {
+      const Vec3 ray = (eye - edges[i].middle).normalized();
+      const double both = edges[i].left.dot(ray) * edges[i].right.dot(ray);
+      return std::copysign(std::sqrt(std::abs(both)), both);
+    });
+    if (agreement > most) most = agreement, best = eye;
+  };
+  for (int i = 0; i < kDirections; ++i) {
+    const double z = 1 - (2 * i + 1.0) / kDirections, r = std::sqrt(1 - z * z);
+    const double a = 2.399963229728653 * i;  // the golden angle: evenly over the sphere
+    for (const double distance : kDistances)
+      consider(centre + distance * size * Vec3(r * std::cos(a), r * std::sin(a), z));
+  }
+  for (double step = kFirstStep; step > kLastStep; step /= 2)
+    for (int again = 0; again < kStepsOfOneSize; ++again) {
+      const Vec3 from = best - centre;
+      const Vec3 x = from.unitOrthogonal() * from.norm(), y = from.normalized().cross(x);
+      for (int i = 0; i < 6; ++i) {
+        const double a = i * EIGEN_PI / 3;
+        consider(centre + from + step * (std::cos(a) * x + std::sin(a) * y));
+      }
+      consider(centre + from * (1 + step));
+      if (from.norm() > kDistances[0] * size * (1 + step)) consider(centre + from / (1 + step));
+    }
+  return best;
+}
+
+bool seen_once(const GuidingSurface& surface, const Vec3& viewpoint) {
+  const std::size_t n = surface.triangles.size(), step = n / kLines + 1;
+  std::size_t lines = 0, again = 0;
+  for (std::size_t i = 0; i < n; i += step) {
+    const auto face = static_cast<Index>(i);
+    const Vec3 x = middle(surface, face);
+    double longest = 0;
+    for (int k = 0; k < 3; ++k)
+      longest = std::max(longest, (surface.corner(face, k) - surface.corner(face, (k + 1) % 3)).norm());
+    ++lines, again += crosses_beyond(surface, x, (viewpoint - x).normalized(), kFaceReach * longest);
+  }
+  return static_cast<double>(again) <= kCrossAgain * static_cast<double>(lines);
+}
+
+double turned_away(const GuidingSurface& surface, const Vec3& viewpoint) {
+  double all = 0, away = 0;
+  for (Index t = 0; t < static_cast<Index>(surface.triangles.size()); ++t) {
+    const Vec3 area = area_vector(surface, t);
+    all += area.norm();
+    if (area.dot(viewpoint - surface.corner(t, 0)) < 0) away += area.norm();
+  }
+  return all > 0 ? std::min(away, all - away) / all : 0;
+}
 
 Index face_viewpoint(GuidingSurface& surface, const SurfaceTopology& topology) {
   std::vector<Component> components(static_cast<std::size_t>(topology.components));
@@ -79,26 +196,15 @@ Index face_viewpoint(GuidingSurface& surface, const SurfaceTopology& topology) {
 
   Index turned = 0;
   if (convexity(surface, topology, *largest) < 0) turn(surface, *largest), ++turned;
-  Vec3 centre = Vec3::Zero(), ahead = Vec3::Zero();
-  for (Index t : largest->faces) {
-    const Vec3 area = area_vector(surface, t);
-    centre += area.norm() / largest->area * middle(surface, t);
-    ahead += area;
-  }
-  double size = 0;
-  for (Index t : largest->faces)
-    size += area_vector(surface, t).norm() / largest->area * (middle(surface, t) - centre).norm();
-  Vec3 eye = centre;
-  double most = 0;
-  for (const double distance : kDistances) {
-    const Vec3 there = centre + distance * size * ahead.normalized();
-    const double seen = seen_from(surface, *largest, there);
-    if (seen > most) most = seen, eye = there;
-  }
-  if (!(most >= kSeen)) return turned;
-
+  if (std::count_if(components.begin(), components.end(), [](const Component& c) { return c.open; }) == 1)
+    return turned;
+  const Vec3 viewpoint = common_viewpoint(surface);
+  if (!seen_once(surface, viewpoint)) return turned;
+  // The viewpoint may be behind the surface.
+  const bool front = seen_from(surface, *largest, viewpoint) > 0.5;
   for (const Component& component : components) {
-    if (!component.open || &component == &*largest || seen_from(surface, component, eye) >= 0.5) continue;
+    if (!component.open || &component == &*largest) continue;
+    if ((seen_from(surface, component, viewpoint) > 0.5) == front) continue;
     turn(surface, component), ++turned;
   }
   return turned;

@@ -6,11 +6,24 @@
 
 namespace filmsticking {
 
+/// The point to which neighbouring faces most agree in the side that they show, whichever way the parts of
+/// the surface are turned: of a scan from one side, about where it was taken from, or opposite, behind the
+/// surface, of which all the same is true. Looked for around the surface, not within. A surface without edges
+/// inside has none; then it is somewhere.
+Vec3 common_viewpoint(const GuidingSurface& surface);
+
+/// Do nearly all lines through that point cross the surface no more than once? So they do if it is a scan
+/// from there.
+bool seen_once(const GuidingSurface& surface, const Vec3& viewpoint);
+
+/// The share of the area that shows its other side to a point than most.
+double turned_away(const GuidingSurface& surface, const Vec3& viewpoint);
+
 /// Turns the open components of a manifold to one viewpoint. A scan from one side is seen from one point,
 /// from which every face shows its front; the components themselves cannot tell, for nothing joins them. The
-/// point is looked for in front of the largest open component, whose front is the side that is convex on the
-/// whole, as things are. Where nearly all of it is seen from no such point, it is no scan from one side, and
-/// no other is turned. `topology`: that of its triangles before. Returns how many components were turned.
+/// front of the largest open component is the side that is convex on the whole, as things are; the others
+/// show theirs where it does. Where it is no scan from one side, no other is turned. `topology`: that of its
+/// triangles before. Returns how many components were turned.
 Index face_viewpoint(GuidingSurface& surface, const SurfaceTopology& topology);
 
 }  // namespace filmsticking

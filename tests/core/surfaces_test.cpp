@@ -337,6 +337,64 @@ TEST(Viewpoint, SeesTheFrontsOfAllPieces) {
   }
 }
 
+// Three sides of a box, one with most of the faces, of which half are turned over: all three are seen, not
+// just the one from straight ahead.
+TEST(Viewpoint, IsInViewOfAllThatCanBeSeenWhicheverWayItIsTurned) {
+  for (const bool some_turned : {false, true}) {
+    std::vector<Vec3> positions, outward;
+    std::vector<Corners> triangles;
+    for (int side = 0; side < 3; ++side) {
+      const auto first = static_cast<Index>(positions.size());
+      const int n = side == 0 ? 24 : 8;
+      for (int i = 0; i <= n; ++i)
+        for (int j = 0; j <= n; ++j) {
+          positions.push_back(Vec3::Ones());
+          positions.back()[(side + 1) % 3] -= i / 16.0, positions.back()[(side + 2) % 3] -= j / 16.0;
+        }
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+          const Index a = first + i * (n + 1) + j, b = a + n + 1;
+          for (Corners t : {Corners{a, b, b + 1}, Corners{a, b + 1, a + 1}}) {
+            if (some_turned && i >= n / 2) std::swap(t[1], t[2]);
+            triangles.push_back(t);
+            outward.emplace_back(Vec3::Unit(side));
+          }
+        }
+    }
+    const GuidingSurface film = film_of(std::move(positions), std::move(triangles));
+    const Vec3 eye = common_viewpoint(film);
+    EXPECT_TRUE(seen_once(film, eye));
+    EXPECT_NEAR(turned_away(film, eye), some_turned ? 0.5 : 0, 1e-9);
+    // From before all three or from behind them.
+    std::size_t before = 0;
+    for (std::size_t t = 0; t < outward.size(); ++t)
+      before += outward[t].dot(eye - film.corner(static_cast<Index>(t), 0)) > 0;
+    EXPECT_TRUE(before == 0 || before == outward.size()) << before << " of " << outward.size();
+  }
+}
+
+TEST(Viewpoint, SeesABallTwiceAndHalfOfItOnce) {
+  const GuidingSurface ball = bounding_sphere({Vec3(0.5, 0.5, 0.5)});
+  EXPECT_FALSE(seen_once(ball, common_viewpoint(ball)));
+  EXPECT_FALSE(seen_once(ball, Vec3(0, 0, 9)));
+  GuidingSurface half = ball;
+  half.triangles.clear();
+  for (const Corners& t : ball.triangles)
+    if ((ball.positions[t[0]] + ball.positions[t[1]] + ball.positions[t[2]]).z() > 0)
+      half.triangles.push_back(t);
+  EXPECT_TRUE(seen_once(half, Vec3(0, 0, 9)));
+  EXPECT_FALSE(seen_once(half, Vec3(9, 0, 0)));
+  EXPECT_NEAR(turned_away(half, Vec3(0, 0, 99)), 0, 0.02);
+  EXPECT_NEAR(turned_away(half, Vec3(99, 0, 0)), 0.5, 0.02);
+}
+
+TEST(Viewpoint, OfNothingIsNoMatter) {
+  const GuidingSurface none;
+  EXPECT_TRUE(common_viewpoint(none).allFinite());
+  EXPECT_TRUE(seen_once(none, Vec3::Zero()));
+  EXPECT_EQ(turned_away(none, Vec3::Zero()), 0);
+}
+
 // All sides of a ball but a part of one: no point sees them.
 TEST(Viewpoint, TurnsNoOtherWhereThereIsNone) {
   GuidingSurface film = squares({{{2, 0, 0}, true}}, 0.25);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "two_sides.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,6 +16,11 @@ namespace {
 // Facets with edges longer than this, in spacings, say less: by the fourth power, so that the rim of an open
 // surface, which wide facets go around from one side to the other, does not count against the surface.
 constexpr double kNear = 2;
+// What a facet says of the side that a viewpoint is on, as a share of what it says of its tetrahedra. It
+// counts when clusters have grown: from facet to facet noise and faces along the line of sight would be
+// believed more than their neighbours.
+constexpr double kViewShare = 0.03;
+
 /// The edges of the surface: of the facets that enough corners vote for.
 class SurfaceEdges {
  public:
@@ -81,11 +87,16 @@ class SignedClusters {
   std::vector<signed char> sign_;
 };
 
-/// The contraction. An edge is a facet, named 4 t + k from its lesser side.
+/// The contraction. An edge is a facet, named 4 t + k from its lesser side, or, 4 n + root of n tetrahedra,
+/// is between a cluster and the side away from the viewpoint, which is one more cluster, n.
 class Contraction {
  public:
   Contraction(const TetrahedralMesh& mesh, std::vector<double> weight)
-      : mesh_(mesh), weight_(std::move(weight)), clusters_(mesh.size()), edges_(mesh.size()) {
+      : mesh_(mesh),
+        behind_(static_cast<Index>(mesh.size())),
+        weight_(std::move(weight)),
+        clusters_(mesh.size() + 1),
+        edges_(mesh.size()) {
     std::vector<std::pair<double, Index>> all;
     for (std::size_t e = 0; e < weight_.size(); ++e)
       if (weight_[e] != 0) all.emplace_back(std::abs(weight_[e]), -static_cast<Index>(e));
@@ -104,9 +115,14 @@ class Contraction {
   }
 
  private:
-  std::pair<Index, Index> ends(Index e) const { return {e / 4, mesh_.tets.neighbours[e / 4][e % 4]}; }
+  std::pair<Index, Index> ends(Index e) const {
+    if (e >= view(0)) return {behind_, e - view(0)};
+    return {e / 4, mesh_.tets.neighbours[e / 4][e % 4]};
+  }
 
-  // The edges of a cluster; of one tetrahedron, its facets.
+  Index view(Index root) const { return 4 * behind_ + root; }
+
+  // The edges of a cluster but view(); of one tetrahedron, its facets.
   std::vector<Index>& edges(Index root) {
     std::vector<Index>& list = edges_[root];
     if (list.empty())
@@ -140,7 +156,7 @@ class Contraction {
     auto [b, sign_u] = clusters_.find(u);
     const int sign = (weight_[e] > 0 ? 1 : -1) * sign_t * sign_u;
     weight_[e] = 0;
-    if (edges(a).size() < edges(b).size()) std::swap(a, b);
+    if (b == behind_ || (a != behind_ && edges(a).size() < edges(b).size())) std::swap(a, b);
     // Edges from both to a third become one; the others of b become a's.
     std::vector<Index> moved;
     for (Index f : edges(b)) {
@@ -149,35 +165,64 @@ class Contraction {
       const auto [root_x, sign_x] = clusters_.find(x);
       const auto [root_y, sign_y] = clusters_.find(y);
       const Index third = root_x == b ? root_y : root_x;
-      const Index g = between(a, third);
+      const Index g = a == behind_ ? view(third) : between(a, third);
       if (g == kNone) {
         moved.push_back(f);
         continue;
       }
       const auto [p, q] = ends(g);
       const int signs = sign_x * sign_y * sign * clusters_.find(p).second * clusters_.find(q).second;
-      weight_[g] += signs * weight_[f];
+      add(g, signs * weight_[f]);
       weight_[f] = 0;
-      if (weight_[g] != 0) strongest_.emplace(std::abs(weight_[g]), -g);
     }
     clusters_.join(a, b, sign);
-    edges_[a].insert(edges_[a].end(), moved.begin(), moved.end());
+    if (a != behind_) {
+      add(view(a), sign * weight_[view(b)]);
+      edges_[a].insert(edges_[a].end(), moved.begin(), moved.end());
+    }
+    weight_[view(b)] = 0;
     std::vector<Index>().swap(edges_[b]);
   }
 
+  void add(Index e, double weight) {
+    if (weight == 0) return;
+    weight_[e] += weight;
+    if (weight_[e] != 0) strongest_.emplace(std::abs(weight_[e]), -e);
+  }
+
   const TetrahedralMesh& mesh_;
+  const Index behind_;
   std::vector<double> weight_;  // of an edge; 0: gone
   SignedClusters clusters_;
   std::vector<std::vector<Index>> edges_;
   std::priority_queue<std::pair<double, Index>> strongest_;
 };
 
+// What the facets say of their tetrahedra and a viewpoint, to the edges of the contraction.
+void add_view(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites, const Vec3& viewpoint,
+              std::vector<double>& weight) {
+  const std::size_t n = mesh.size();
+  for (std::size_t t = 0; t < n; ++t)
+    for (int k = 0; k < 4; ++k) {
+      const double surface = -weight[4 * t + k];
+      if (!(surface > 0)) continue;
+      const auto& c = mesh.tets.corners[t];
+      const Vec3 &a = sites[c[kFacet[k][0]]], &b = sites[c[kFacet[k][1]]], &d = sites[c[kFacet[k][2]]];
+      const Vec3 out = (b - a).cross(d - a), ray = viewpoint - (a + b + d) / 3;
+      const double lengths = out.norm() * ray.norm();
+      if (!(lengths > 0)) continue;
+      const double behind = kViewShare * surface * out.dot(ray) / lengths;
+      weight[4 * n + t] += behind;
+      weight[4 * n + static_cast<std::size_t>(mesh.tets.neighbours[t][k])] -= behind;
+    }
+}
+
 }  // namespace
 
 std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
                               const FacetEvidence& evidence, const SiteGeometry& geometry, const RimRule& rim,
-                              const Cancel& cancel) {
-  std::vector<double> weight(4 * mesh.size(), 0);
+                              const Vec3* viewpoint, const Cancel& cancel) {
+  std::vector<double> weight(5 * mesh.size(), 0);
   const SurfaceEdges surface(mesh, evidence, rim.votes);
   parallel_each(mesh.size(), [&](std::size_t t) {
     for (int k = 0; k < 4; ++k) {
@@ -193,10 +238,11 @@ std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec
                           (coupling > 0 && !surface.carry(c, k) ? rim.weight : 1);
     }
   });
+  if (viewpoint != nullptr) add_view(mesh, sites, *viewpoint, weight);
   Contraction contraction(mesh, std::move(weight));
   SignedClusters clusters = contraction.run(cancel);
 
-  std::vector<double> hull(mesh.size(), 0);  // of a root: its area with its sign less that with the other
+  std::vector<double> hull(mesh.size() + 1, 0);  // of a root: its area with its sign less that with the other
   for (std::size_t t = 0; t < mesh.size(); ++t) {
     if (!mesh.tets.infinite(static_cast<Index>(t))) continue;
     const auto [root, sign] = clusters.find(static_cast<Index>(t));

@@ -28,8 +28,11 @@ struct RimRule {
 /// strongest sum of such evidence between them become one, again and again, with the signs that it asks for:
 /// greedy additive edge contraction (Keuper et al. 2015) for two colours. At last the colour that has more of
 /// the hull is outside.
+///
+/// `viewpoint`: of which all of the surface shows the same side to it, if there is one. What facets say of
+/// that joins clusters that little else joins.
 std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
                               const FacetEvidence& evidence, const SiteGeometry& geometry, const RimRule& rim,
-                              const Cancel& cancel = {});
+                              const Vec3* viewpoint = nullptr, const Cancel& cancel = {});
 
 }  // namespace filmsticking
