@@ -16,9 +16,9 @@ namespace {
 // side.
 constexpr double kDistances[] = {2, 4, 8, 32};
 constexpr int kDirections = 128;
-// Then in smaller and smaller steps, as shares of the distance.
-constexpr double kFirstStep = 0.15, kLastStep = 0.01;
-constexpr int kStepsOfOneSize = 3;
+// Then in steps of half the size, and again, the first as a share of the distance.
+constexpr double kFirstStep = 0.15;
+constexpr int kStepSizes = 4, kStepsOfOneSize = 3;
 // Edges and lines are a sample of at most about so many; the share of the lines that may cross the surface
 // again: of scans from one side up to a quarter do, in noise, and of what was scanned all around half or
 // more.
@@ -142,7 +142,8 @@ Vec3 common_viewpoint(const GuidingSurface& surface) {
     for (const double distance : kDistances)
       consider(centre + distance * size * Vec3(r * std::cos(a), r * std::sin(a), z));
   }
-  for (double step = kFirstStep; step > kLastStep; step /= 2)
+  double step = kFirstStep;
+  for (int size_of_step = 0; size_of_step < kStepSizes; ++size_of_step, step /= 2)
     for (int again = 0; again < kStepsOfOneSize; ++again) {
       const Vec3 from = best - centre;
       const Vec3 x = from.unitOrthogonal() * from.norm(), y = from.normalized().cross(x);
