@@ -58,6 +58,8 @@ With --truth
   f_score             percent: harmonic mean of the two shares of points nearer than 0.005
   normal_consistency  percent: mean of the two mean |cosines| between the normals of a point's own face and
                       of the nearest
+  turned_over         percent of the mesh whose faces look the other way than the nearest of the truth, or
+                      that do not, whichever is less
   hausdorff           the largest of the distances
   sharp_edges         edges of the truth that bend by more than 30 degrees, both ends vertices of the mesh
   sharp_edges_restored  percent of them that are edges of the mesh; null without any

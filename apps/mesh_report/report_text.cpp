@@ -89,6 +89,7 @@ std::string to_text(const Report& report) {
     table.add("Chamfer distance x 1000", distance("%.4f", &TruthDistances::chamfer_e3));
     table.add("F-score at 0.005", distance("%.2f %%", &TruthDistances::f_score));
     table.add("normal consistency", distance("%.2f %%", &TruthDistances::normal_consistency));
+    table.add("turned over", distance("%.2f %%", &TruthDistances::turned_over));
     table.add("Hausdorff distance", distance("%.6f", &TruthDistances::hausdorff));
     if (truth.sharp.restored)
       table.add("sharp edges restored",
@@ -130,6 +131,7 @@ std::string to_json(const Report& report) {
     json.add("chamfer_e3", distance(&TruthDistances::chamfer_e3))
         .add("f_score", distance(&TruthDistances::f_score))
         .add("normal_consistency", distance(&TruthDistances::normal_consistency))
+        .add("turned_over", distance(&TruthDistances::turned_over))
         .add("hausdorff", distance(&TruthDistances::hausdorff))
         .add("sharp_edges", report.truth->sharp.edges)
         .add("sharp_edges_restored", report.truth->sharp.restored)

@@ -43,7 +43,7 @@ Samples sample(const Surface& surface, std::size_t count, std::uint64_t seed) {
 
 /// From the points on one surface to another.
 struct OneWay {
-  double mean = 0, largest = 0, near = 0, cosine = 0;
+  double mean = 0, largest = 0, near = 0, cosine = 0, opposed = 0;
 };
 
 OneWay one_way(const Surface& from, const Samples& samples, const Surface& to) {
@@ -54,11 +54,14 @@ OneWay one_way(const Surface& from, const Samples& samples, const Surface& to) {
     way.mean += distance;
     way.largest = std::max(way.largest, distance);
     way.near += distance < kNear ? 1 : 0;
-    way.cosine += std::abs(from.area_vector2(samples.triangles[i])
-                               .normalized()
-                               .dot(to.area_vector2(nearest[i].triangle).normalized()));
+    const double cosine = from.area_vector2(samples.triangles[i])
+                              .normalized()
+                              .dot(to.area_vector2(nearest[i].triangle).normalized());
+    way.cosine += std::abs(cosine);
+    way.opposed += cosine < 0 ? 1 : 0;
   }
-  for (double* sum : {&way.mean, &way.near, &way.cosine}) *sum /= static_cast<double>(nearest.size());
+  for (double* sum : {&way.mean, &way.near, &way.cosine, &way.opposed})
+    *sum /= static_cast<double>(nearest.size());
   return way;
 }
 
@@ -78,6 +81,8 @@ std::optional<TruthDistances> truth_distances(const Surface& mesh, const Surface
   if (there.near + back.near > 0)
     result.f_score = 100 * 2 * there.near * back.near / (there.near + back.near);
   result.normal_consistency = 100 * (there.cosine + back.cosine) / 2;
+  // A mesh that is turned over as a whole is right side out in itself.
+  result.turned_over = 100 * std::min(there.opposed, 1 - there.opposed);
   result.hausdorff = std::max(there.largest, back.largest);
   return result;
 }

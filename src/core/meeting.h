@@ -8,6 +8,10 @@
 
 namespace filmsticking {
 
+/// Pieces nearer to each other than this may meet, in units of the box that holds the sites: more than float
+/// coordinates are rounded.
+constexpr double kMeetingMargin = 1e-7;
+
 /// Two convex pieces of a film, each of some of its vertices: a face, or the four corners of two faces on an
 /// edge. Asks whether they meet in their common corners only, by planes between them.
 template <std::size_t M, std::size_t N>

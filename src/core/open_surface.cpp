@@ -116,10 +116,9 @@ std::vector<char> manifold_without_bridges(const std::vector<Corners>& triangles
   return clean;
 }
 
-void remove_bridges(GuidingSurface& film, const SiteGeometry& geometry) {
+void keep_faces(GuidingSurface& film, std::vector<char> keep, const SiteGeometry& geometry) {
   std::vector<Vec3> sites(geometry.spacing.size());
   for (std::size_t v = 0; v < film.site.size(); ++v) sites[film.site[v]] = film.positions[v];
-  std::vector<char> keep = supported(film, geometry);
   for (bool several = true; several;) {  // ends: a vertex with several fans loses faces
     film = film_of_sites(sites_of(film, keep), sites);
     const Fans fans = find_fans(film);
@@ -128,6 +127,10 @@ void remove_bridges(GuidingSurface& film, const SiteGeometry& geometry) {
     for (std::size_t h = 0; several && h < fans.of.size(); ++h)
       if (fans.of[h] != fans.largest[film.triangles[h / 3][h % 3]]) keep[h / 3] = 0;
   }
+}
+
+void remove_bridges(GuidingSurface& film, const SiteGeometry& geometry) {
+  keep_faces(film, supported(film, geometry), geometry);
 }
 
 }  // namespace filmsticking

@@ -20,10 +20,13 @@ bool is_narrow(const GuidingSurface& film, const Corners& face, const SiteGeomet
 std::vector<char> manifold_without_bridges(const std::vector<Corners>& triangles,
                                            const std::vector<Vec3>& sites, const SiteGeometry& geometry);
 
+/// Takes away the faces that are not to be kept. Then, where a vertex has several fans left, all but that with
+/// most faces. So what is left of a manifold with boundary, or without, is one, perhaps empty; vertices without a
+/// face are gone. Ends: every pass but the last takes faces away. `geometry`: of all sites.
+void keep_faces(GuidingSurface& film, std::vector<char> keep, const SiteGeometry& geometry);
+
 /// Takes away the faces that no data supports: connected regions of faces with gaps above a low threshold
-/// that have one above a high one. Then, where a vertex has several fans left, all but that with most faces.
-/// So what is left of a closed manifold, or of one with boundary, is a manifold with boundary, perhaps empty;
-/// vertices without a face are gone. Ends: every pass but the last takes faces away.
+/// that have one above a high one; and what keep_faces() takes then.
 void remove_bridges(GuidingSurface& film, const SiteGeometry& geometry);
 
 }  // namespace filmsticking

@@ -19,9 +19,6 @@ namespace {
 constexpr std::size_t kMostEdges = 12;
 // How far a face of the filling may be turned against those around the hole: the cosine.
 constexpr double kAgrees = 0.3;
-// Faces nearer to each other than this may meet, in units of the box that holds the sites: more than float
-// coordinates are rounded.
-constexpr double kMargin = 1e-7;
 
 using Line = std::vector<Index>;  // the vertices of a hole, in the direction of the faces that would fill it
 
@@ -128,11 +125,11 @@ class Pinholes {
   bool meets(const FaceTree& tree, const std::vector<Corners>& filling) const {
     for (std::size_t i = 0; i < filling.size(); ++i) {
       const auto apart = [&](const Corners& other) {
-        return Meeting(film_.positions, filling[i], other, kMargin).in_common_corners_only();
+        return Meeting(film_.positions, filling[i], other, kMeetingMargin).in_common_corners_only();
       };
       Eigen::AlignedBox3d box;
       for (Index v : filling[i]) box.extend(film_.positions[v]);
-      box.min().array() -= kMargin, box.max().array() += kMargin;
+      box.min().array() -= kMeetingMargin, box.max().array() += kMeetingMargin;
       if (!tree.all(FaceTree::rounded(box), [&](Index t) { return apart(film_.triangles[t]); })) return true;
       for (std::size_t t = faces_; t < film_.triangles.size(); ++t)
         if (!apart(film_.triangles[t])) return true;

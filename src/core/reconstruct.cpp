@@ -12,6 +12,7 @@
 #include "cap_faces.h"
 #include "delaunay.h"
 #include "feature_flips.h"
+#include "meeting_faces.h"
 #include "monitor.h"
 #include "open_surface.h"
 #include "orientation.h"
@@ -202,7 +203,10 @@ void run(const PointsView& points, const Options& options, const Execution& exec
       if (changes > 0) topology.emplace(film.triangles, static_cast<Index>(film.positions.size()));
     };
     changed(remove_cap_faces(film, topology->twin));
-    if (options.open_boundary) changed(fill_pinholes(film, topology->twin, geometry));
+    if (options.open_boundary) {
+      changed(remove_meeting_faces(film, geometry));
+      changed(fill_pinholes(film, topology->twin, geometry));
+    }
     if (options.sharp_edges) {
       monitor.enter("sharp edges", monitor.share());
       report.flips = flip_to_features(film, topology->twin, monitor.cancel());

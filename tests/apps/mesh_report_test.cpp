@@ -371,6 +371,18 @@ TEST(TruthDistances, NormalsOfATiltedPlane) {
   EXPECT_NEAR(distances(turned(tilted), truth).normal_consistency, 100 * std::cos(angle), 1e-9);
 }
 
+TEST(TruthDistances, PartsThatAreTurnedOver) {
+  const Model truth = plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 2);
+  for (const double share : {0.0, 0.3, 0.8}) {
+    Model mesh = plane({share, 0, 0.001}, {1 - share, 0, 0}, {0, 1, 0}, 3);
+    if (share > 0) mesh = joined(mesh, turned(plane({0, 0, 0.001}, {share, 0, 0}, {0, 1, 0}, 3)));
+    const double expected = 100 * std::min(share, 1 - share);
+    EXPECT_NEAR(distances(mesh, truth).turned_over, expected, 1) << share;
+    EXPECT_NEAR(distances(turned(mesh), truth).turned_over, expected, 1) << share;
+    EXPECT_NEAR(distances(mesh, truth).normal_consistency, 100, 1e-9);
+  }
+}
+
 TEST(TruthDistances, FacesWithoutAreaChangeNothing) {
   Model mesh = plane({0, 0, 0.01}, {1, 0, 0}, {0, 1, 0}, 2);
   mesh.triangles.insert(mesh.triangles.begin(), {0, 1, 2});  // on one line
@@ -430,7 +442,8 @@ TEST(SharpEdges, AreEdgesOfTheMeshOrNot) {
   cut.triangles[4] = {3, 1, 5};
   EXPECT_EQ(sharp_edges(make_surface(cut), truth).edges, 12);
   EXPECT_DOUBLE_EQ(*sharp_edges(make_surface(cut), truth).restored, 100. * 11 / 12);
-  // Of its 18 edges four are diagonals of flat squares, and all but one are the box's; all the same inside out.
+  // Of its 18 edges four are diagonals of flat squares, and all but one are the box's; all the same inside
+  // out.
   for (Triangle& t : cut.triangles) std::swap(t[1], t[2]);
   EXPECT_EQ(sharp_edges(truth, make_surface(cut)).edges, 14);
   EXPECT_DOUBLE_EQ(*sharp_edges(truth, make_surface(cut)).restored, 100. * 13 / 14);
@@ -557,8 +570,8 @@ TEST(MeshReportProgram, WritesJson) {
                               .out);
   std::set<std::string> members = kMeshMembers;
   members.insert({"points", "interpolated", "cloud_distance_mean", "cloud_distance_max", "chamfer_e3",
-                  "f_score", "normal_consistency", "hausdorff", "genus_right", "components_right",
-                  "sharp_edges", "sharp_edges_restored", "topology_right"});
+                  "f_score", "normal_consistency", "turned_over", "hausdorff", "genus_right",
+                  "components_right", "sharp_edges", "sharp_edges_restored", "topology_right"});
   EXPECT_EQ(names(json), members);
   EXPECT_EQ(json.get<double>("interpolated"), 100);
   EXPECT_EQ(json.get<double>("f_score"), 100);
@@ -583,7 +596,7 @@ TEST(MeshReportProgram, WritesATable) {
     if (count == 0) column = value;
     EXPECT_EQ(value, column) << line;
   }
-  EXPECT_EQ(count, 23u);
+  EXPECT_EQ(count, 24u);
   EXPECT_NE(outcome.out.find("no, 3 boundary edges\n"), std::string::npos) << outcome.out;
 }
 

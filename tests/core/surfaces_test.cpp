@@ -6,6 +6,8 @@
 #include "enclosed_volume.h"
 #include "film_normals.h"
 #include "guiding_surface.h"
+#include "meeting.h"
+#include "meeting_faces.h"
 #include "orientation.h"
 #include "pinholes.h"
 #include "site_set.h"
@@ -303,6 +305,80 @@ TEST(Pinholes, StayWhereTheFillingWouldMeetAnother) {
     film.positions.push_back(p), film.site.push_back(static_cast<Index>(film.site.size()));
   film.triangles.push_back({n, n + 1, n + 2});
   EXPECT_EQ(holes_filled(film, spacing), 0);
+}
+
+std::int64_t meeting_faces(GuidingSurface& film) {
+  SiteGeometry geometry;
+  geometry.spacing.assign(film.positions.size(), 0.1);
+  return remove_meeting_faces(film, geometry);
+}
+
+bool some_meet(const GuidingSurface& film) {
+  for (std::size_t t = 0; t < film.triangles.size(); ++t)
+    for (std::size_t u = 0; u < t; ++u)
+      if (!Meeting(film.positions, film.triangles[t], film.triangles[u], kMeetingMargin)
+               .in_common_corners_only())
+        return true;
+  return false;
+}
+
+// A square grid in a plane, of which some inner vertices are moved two cells on: their faces fold over.
+GuidingSurface folded_sheet(std::uint64_t seed, int folds) {
+  constexpr int n = 12;
+  std::vector<Vec3> positions;
+  std::vector<Corners> triangles;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j) positions.emplace_back(i / 16.0, j / 16.0, 0);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const Index a = i * (n + 1) + j, b = a + n + 1;
+      triangles.push_back({a, b, b + 1}), triangles.push_back({a, b + 1, a + 1});
+    }
+  test::Random random(seed);
+  for (int k = 0; k < folds; ++k) {
+    const int i = static_cast<int>(random.uniform(2, n - 2)), j = static_cast<int>(random.uniform(2, n - 2));
+    positions[i * (n + 1) + j] += Vec3(random.uniform(-1, 1), random.uniform(-1, 1), 0) / 8;
+  }
+  return film_of(std::move(positions), std::move(triangles));
+}
+
+// Rows of pixels that lie in a plane exactly came with faces folded over onto others.
+TEST(MeetingFaces, Regression_FoldsInExactPlanesAreTakenAway) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const GuidingSurface sheet = folded_sheet(seed, 3);
+    GuidingSurface film = sheet;
+    ASSERT_EQ(meeting_faces(film) > 0, some_meet(sheet)) << seed;
+    EXPECT_FALSE(some_meet(film)) << seed;
+    EXPECT_TRUE(check_manifold(film.triangles, static_cast<Index>(film.positions.size())).manifold()) << seed;
+    EXPECT_GE(film.triangles.size() + 3 * 12, sheet.triangles.size()) << seed;
+    EXPECT_EQ(meeting_faces(film), 0) << seed;
+  }
+}
+
+TEST(MeetingFaces, NoNumberingChangesWhatStays) {
+  const auto sites = [](const GuidingSurface& film) {
+    std::vector<std::array<Index, 3>> all;
+    for (const Corners& t : film.triangles) {
+      all.push_back({film.site[t[0]], film.site[t[1]], film.site[t[2]]});
+      std::sort(all.back().begin(), all.back().end());
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    GuidingSurface film = folded_sheet(seed, 3), other = film;
+    std::reverse(other.triangles.begin(), other.triangles.end());
+    for (Corners& t : other.triangles) std::rotate(t.begin(), t.begin() + 1, t.end());
+    meeting_faces(film), meeting_faces(other);
+    EXPECT_EQ(sites(film), sites(other)) << seed;
+  }
+}
+
+TEST(MeetingFaces, ThoseThatMeetNoOtherStay) {
+  GuidingSurface film = ball_without([](const Vec3& p) { return p.z() > 0.5; });
+  const std::vector<Corners> before = film.triangles;
+  EXPECT_EQ(meeting_faces(film), 0);
+  EXPECT_EQ(film.triangles, before);
 }
 
 // Squares across z, some turned to -z, bent so that +z is their convex side.

@@ -94,6 +94,7 @@ void set_judgement(Row& row, const CloudFiles& files, const std::string& mesh) {
                              "chamfer_e3",
                              "f_score",
                              "normal_consistency",
+                             "turned_over",
                              "hausdorff",
                              "sharp_edges_restored"}) {
     const std::string value = json.get<std::string>(column, "");

@@ -80,6 +80,7 @@ std::vector<std::string> quality_cells(const std::string& method, const Rows& ro
       rounded(ratio(rows, peer, "chamfer_e3"), 3),
       rounded(mean_of(rows, "f_score"), 4),
       rounded(mean_of(rows, "normal_consistency"), 4),
+      rounded(mean_of(rows, "turned_over"), 3),
       rounded(mean_of(rows, "hausdorff"), 3),
       rounded(mean_of(rows, "sharp_edges_restored"), 4)};
 }
@@ -123,8 +124,8 @@ std::string quality_tables(const std::vector<Row>& rows, const std::vector<std::
     std::vector<std::vector<std::string>> quality = {
         {"method", "clouds", "closed and manifold %", "topology right %", "no self-intersection %",
          "interpolated %", "boundary edges", "non-manifold edges", "non-manifold vertices",
-         "intersecting pairs", "components", "Chamfer x1e3", "x peer", "F-score", "normals %", "Hausdorff",
-         "sharp edges %"}};
+         "intersecting pairs", "components", "Chamfer x1e3", "x peer", "F-score", "normals %",
+         "turned over %", "Hausdorff", "sharp edges %"}};
     std::vector<std::vector<std::string>> cost = {
         {"method", "seconds alone", "with needs", "x peer", "CPU seconds", "peak MB"}};
     for (const std::string& method : methods) {

@@ -45,6 +45,7 @@ const std::vector<std::string>& columns() {
                                                  "chamfer_e3",
                                                  "f_score",
                                                  "normal_consistency",
+                                                 "turned_over",
                                                  "hausdorff",
                                                  "sharp_edges_restored"};
   return names;
