@@ -203,7 +203,7 @@ void run(const PointsView& points, const Options& options, const Execution& exec
       if (changes > 0) topology.emplace(film.triangles, static_cast<Index>(film.positions.size()));
     };
     changed(remove_cap_faces(film, topology->twin));
-    if (options.open_boundary) {
+    if (options.open_boundary && !topology->check.closed) {
       changed(remove_meeting_faces(film, geometry));
       changed(fill_pinholes(film, topology->twin, geometry));
     }
