@@ -142,9 +142,9 @@ Vec3 common_viewpoint(const GuidingSurface& surface) {
     for (const double distance : kDistances)
       consider(centre + distance * size * Vec3(r * std::cos(a), r * std::sin(a), z));
   }
-  double step = kFirstStep;
-  for (int size_of_step = 0; size_of_step < kStepSizes; ++size_of_step, step /= 2)
+  for (int halved = 0; halved < kStepSizes; ++halved)
     for (int again = 0; again < kStepsOfOneSize; ++again) {
+      const double step = std::ldexp(kFirstStep, -halved);
       const Vec3 from = best - centre;
       const Vec3 x = from.unitOrthogonal() * from.norm(), y = from.normalized().cross(x);
       for (int i = 0; i < 6; ++i) {
