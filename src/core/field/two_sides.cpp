@@ -96,7 +96,7 @@ class Contraction {
         behind_(static_cast<Index>(mesh.size())),
         weight_(std::move(weight)),
         clusters_(mesh.size() + 1),
-        edges_(mesh.size()) {
+        edges_(mesh.size() + 1) {
     std::vector<std::pair<double, Index>> all;
     for (std::size_t e = 0; e < weight_.size(); ++e)
       if (weight_[e] != 0) all.emplace_back(std::abs(weight_[e]), -static_cast<Index>(e));
