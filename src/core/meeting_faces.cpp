@@ -18,17 +18,16 @@
 namespace filmsticking {
 namespace {
 
-// Of a face that meets more, as many are looked at. Then others may be left for another pass.
+// A face that meets as many others goes at once: all of them would be as many pairs as there are faces,
+// squared.
 constexpr std::size_t kMostMeetings = 64;
-constexpr int kPasses = 4;
 
 Vec3 area_vector(const GuidingSurface& film, Index t) {
   return (film.corner(t, 1) - film.corner(t, 0)).cross(film.corner(t, 2) - film.corner(t, 0));
 }
 
-// The pairs of faces that meet elsewhere than in common corners, each once, in order: of a face that meets
-// very many, some of them.
-std::vector<std::pair<Index, Index>> find_meetings(const GuidingSurface& film) {
+// Of every face those that it meets elsewhere than in common corners, up to kMostMeetings.
+std::vector<std::vector<Index>> find_meetings(const GuidingSurface& film) {
   const FaceTree tree(film);
   std::vector<std::vector<Index>> met(film.triangles.size());
   parallel_each(met.size(), [&](std::size_t i) {
@@ -42,12 +41,7 @@ std::vector<std::pair<Index, Index>> find_meetings(const GuidingSurface& film) {
       return met[i].size() < kMostMeetings;
     });
   });
-  std::vector<std::pair<Index, Index>> pairs;
-  for (std::size_t t = 0; t < met.size(); ++t)
-    for (Index other : met[t]) pairs.push_back(std::minmax(static_cast<Index>(t), other));
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return pairs;
+  return met;
 }
 
 struct Face {
@@ -61,31 +55,32 @@ struct Face {
   auto rank() const { return std::make_tuple(-static_cast<std::int64_t>(left), agrees, name); }
 };
 
-std::vector<Face> meeting_faces(const GuidingSurface& film,
-                                const std::vector<std::pair<Index, Index>>& pairs) {
+// Those of the faces to be kept that meet another of these.
+std::vector<Face> meeting_faces(const GuidingSurface& film, const std::vector<std::vector<Index>>& met,
+                                const std::vector<char>& keep) {
+  std::vector<Index> place(met.size(), kNone);
+  std::vector<Face> faces;
+  for (std::size_t t = 0; t < met.size(); ++t) {
+    const auto stays = [&](Index other) { return keep[other] != 0; };
+    if (!keep[t] || std::none_of(met[t].begin(), met[t].end(), stays)) continue;
+    place[t] = static_cast<Index>(faces.size());
+    faces.emplace_back();
+    faces.back().t = static_cast<Index>(t);
+  }
+  if (faces.empty()) return faces;
   std::vector<Vec3> vertex_normal(film.positions.size(), Vec3::Zero());
   for (Index t = 0; t < static_cast<Index>(film.triangles.size()); ++t)
     for (Index v : film.triangles[t]) vertex_normal[v] += area_vector(film, t);
-  std::vector<Index> place(film.triangles.size(), kNone);
-  std::vector<Face> faces;
-  const auto place_of = [&](Index t) {
-    if (place[t] != kNone) return place[t];
-    place[t] = static_cast<Index>(faces.size());
-    Face face;
-    face.t = t;
-    const Corners& corners = film.triangles[t];
+  for (Face& face : faces) {
+    for (Index other : met[face.t])
+      if (place[other] != kNone) face.met.push_back(place[other]);
+    face.left = face.met.size();
+    const Corners& corners = film.triangles[face.t];
     const Vec3 around = vertex_normal[corners[0]] + vertex_normal[corners[1]] + vertex_normal[corners[2]];
     // The last bits are those of the order in which the faces were added up.
-    face.agrees = std::round(1e6 * area_vector(film, t).normalized().dot(around.normalized()));
+    face.agrees = std::round(1e6 * area_vector(film, face.t).normalized().dot(around.normalized()));
     for (int k = 0; k < 3; ++k) face.name[k] = film.site[corners[k]];
     std::sort(face.name.begin(), face.name.end());
-    faces.push_back(std::move(face));
-    return place[t];
-  };
-  for (const auto& [t, u] : pairs) {
-    const Index i = place_of(t), j = place_of(u);
-    faces[i].met.push_back(j), faces[j].met.push_back(i);
-    ++faces[i].left, ++faces[j].left;
   }
   return faces;
 }
@@ -93,29 +88,26 @@ std::vector<Face> meeting_faces(const GuidingSurface& film,
 }  // namespace
 
 std::int64_t remove_meeting_faces(GuidingSurface& film, const SiteGeometry& geometry) {
-  std::int64_t count = 0;
-  for (int pass = 0; pass < kPasses; ++pass) {
-    const auto pairs = find_meetings(film);
-    if (pairs.empty()) break;
-    std::vector<Face> faces = meeting_faces(film, pairs);
-    std::vector<char> keep(film.triangles.size(), 1);
-    std::set<std::pair<decltype(faces[0].rank()), std::size_t>> worst;
-    for (std::size_t i = 0; i < faces.size(); ++i) worst.emplace(faces[i].rank(), i);
-    // Ends: a face is taken out once.
-    for (; !worst.empty() && faces[worst.begin()->second].left > 0; worst.erase(worst.begin())) {
-      const Face& face = faces[worst.begin()->second];
-      keep[face.t] = 0;
-      for (const Index i : face.met) {
-        const auto other = worst.find({faces[i].rank(), static_cast<std::size_t>(i)});
-        if (other == worst.end()) continue;  // it has gone itself
-        worst.erase(other);
-        --faces[i].left;
-        worst.emplace(faces[i].rank(), i);
-      }
+  const std::vector<std::vector<Index>> met = find_meetings(film);
+  std::vector<char> keep(met.size(), 1);
+  for (std::size_t t = 0; t < met.size(); ++t) keep[t] = met[t].size() < kMostMeetings;
+  std::vector<Face> faces = meeting_faces(film, met, keep);
+  std::set<std::pair<decltype(faces[0].rank()), std::size_t>> worst;
+  for (std::size_t i = 0; i < faces.size(); ++i) worst.emplace(faces[i].rank(), i);
+  // Ends: a face is taken out once.
+  for (; !worst.empty() && faces[worst.begin()->second].left > 0; worst.erase(worst.begin())) {
+    const Face& face = faces[worst.begin()->second];
+    keep[face.t] = 0;
+    for (const Index i : face.met) {
+      const auto other = worst.find({faces[i].rank(), static_cast<std::size_t>(i)});
+      if (other == worst.end()) continue;  // it has gone itself
+      worst.erase(other);
+      --faces[i].left;
+      worst.emplace(faces[i].rank(), i);
     }
-    count += std::count(keep.begin(), keep.end(), 0);
-    keep_faces(film, std::move(keep), geometry);
   }
+  const std::int64_t count = std::count(keep.begin(), keep.end(), 0);
+  if (count > 0) keep_faces(film, std::move(keep), geometry);
   return count;
 }
 

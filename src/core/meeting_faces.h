@@ -8,10 +8,10 @@
 
 namespace filmsticking {
 
-/// Takes faces away from an open film until no two meet but in their common corners, or very many did: that
-/// which meets most others first, and of such the one that is turned most against the faces around. Where
-/// many sites lie in one plane exactly, a few faces may be folded over onto others. The manifold stays one,
-/// with more boundary; vertices without a face are gone.
+/// Takes faces away from an open film until no two meet but in their common corners: that which meets most
+/// others first, and of such the one that is turned most against the faces around. Where many sites lie in
+/// one plane exactly, a few faces may be folded over onto others. The manifold stays one, with more boundary;
+/// vertices without a face are gone.
 ///
 /// The same for any numbering of vertices and faces. Faces that are near each other should have near numbers.
 /// Returns how many were taken for that.

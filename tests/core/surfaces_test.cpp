@@ -374,6 +374,23 @@ TEST(MeetingFaces, NoNumberingChangesWhatStays) {
   }
 }
 
+// All pairs of a large film would not fit into memory.
+TEST(MeetingFaces, VeryManyThatMeetAllOthersGo) {
+  std::vector<Vec3> positions;
+  std::vector<Corners> triangles;
+  test::Random random(1);
+  for (Index t = 0; t < 5000; ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const double angle = 2 * std::acos(-1) * (k + random.uniform(0, 0.3)) / 3;
+      positions.emplace_back(std::cos(angle) / 2, std::sin(angle) / 2, 0);
+    }
+    triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  }
+  GuidingSurface film = film_of(std::move(positions), std::move(triangles));
+  EXPECT_EQ(meeting_faces(film), 5000);
+  EXPECT_TRUE(film.triangles.empty());
+}
+
 TEST(MeetingFaces, ThoseThatMeetNoOtherStay) {
   GuidingSurface film = ball_without([](const Vec3& p) { return p.z() > 0.5; });
   const std::vector<Corners> before = film.triangles;
