@@ -372,7 +372,7 @@ Pipeline::Candidate Pipeline::cut_two_sides() {
   if (best.quality.conflict <= kLittleConflict) return best;
   monitor_.enter("two sides", monitor_.share());
   const Vec3 viewpoint = common_viewpoint(best.film);
-  const bool one_view = seen_once(best.film, viewpoint);
+  const bool one_view = !best.film.triangles.empty() && seen_once(best.film, viewpoint);
   next = by_rule(kThirdRim, one_view ? &viewpoint : nullptr);
   const auto price = [&](const Candidate& sides) {
     return sides.score() + (one_view ? kTurnedPrice * turned_away(sides.film, viewpoint) : 0);

@@ -22,7 +22,9 @@ constexpr int kStepSizes = 4, kStepsOfOneSize = 3;
 // Edges and lines are a sample of at most about so many; the share of the lines that may cross the surface
 // again: of scans from one side up to a quarter do, in noise, and of what was scanned all around half or
 // more.
-constexpr std::size_t kEdges = 4000, kLines = 128;
+constexpr std::size_t kEdges = 4000, kLines = 128, kFewLines = 16;
+// Of a large surface, as few as make no more tests of a face than this.
+constexpr std::size_t kTests = 100'000'000;
 constexpr double kCrossAgain = 0.35;
 // A line may cross the surface again within so many longest edges of a face.
 constexpr double kFaceReach = 4;
@@ -158,7 +160,8 @@ Vec3 common_viewpoint(const GuidingSurface& surface) {
 }
 
 bool seen_once(const GuidingSurface& surface, const Vec3& viewpoint) {
-  const std::size_t n = surface.triangles.size(), step = n / kLines + 1;
+  const std::size_t n = surface.triangles.size();
+  const std::size_t step = n / std::clamp(kTests / (n + 1), kFewLines, kLines) + 1;
   std::size_t lines = 0, again = 0;
   for (std::size_t i = 0; i < n; i += step) {
     const auto face = static_cast<Index>(i);
