@@ -19,12 +19,11 @@ constexpr int kDirections = 128;
 // Then in steps of half the size, and again, the first as a share of the distance.
 constexpr double kFirstStep = 0.15;
 constexpr int kStepSizes = 4, kStepsOfOneSize = 3;
-// Edges and lines are a sample of at most about so many; the share of the lines that may cross the surface
-// again: of scans from one side up to a quarter do, in noise, and of what was scanned all around half or
-// more.
-constexpr std::size_t kEdges = 4000, kLines = 128, kFewLines = 16;
-// Of a large surface, as few as make no more tests of a face than this.
-constexpr std::size_t kTests = 100'000'000;
+// Edges and lines are a sample of at most about so many; of a large surface the lines are fewer, to make no
+// more tests of a face than this.
+constexpr std::size_t kEdges = 4000, kLines = 128, kFewLines = 16, kTests = 100'000'000;
+// The share of the lines that may cross the surface again: of scans from one side up to a quarter do, in
+// noise, and of what was scanned all around half or more.
 constexpr double kCrossAgain = 0.35;
 // A line may cross the surface again within so many longest edges of a face.
 constexpr double kFaceReach = 4;
