@@ -21,12 +21,17 @@ namespace {
 // A face that meets as many others goes at once: all of them would be as many pairs as there are faces,
 // squared.
 constexpr std::size_t kMostMeetings = 64;
+// Faces nearer to each other than this meet, in units of the box that holds the sites: more than rounding,
+// but far less than the distance of any two points in single precision, so that near points do not tear a
+// surface.
+constexpr double kTouch = 1e-12;
 
-Vec3 area_vector(const GuidingSurface& film, Index t) {
+Vec3 area_vector2(const GuidingSurface& film, Index t) {
   return (film.corner(t, 1) - film.corner(t, 0)).cross(film.corner(t, 2) - film.corner(t, 0));
 }
 
-// Of every face those that it meets elsewhere than in common corners, up to kMostMeetings.
+// Of every face those that it meets elsewhere than in common corners, which meet it: all, if they are fewer
+// than kMostMeetings.
 std::vector<std::vector<Index>> find_meetings(const GuidingSurface& film) {
   const FaceTree tree(film);
   std::vector<std::vector<Index>> met(film.triangles.size());
@@ -34,13 +39,23 @@ std::vector<std::vector<Index>> find_meetings(const GuidingSurface& film) {
     const auto t = static_cast<Index>(i);
     Eigen::AlignedBox3d box;
     for (int k = 0; k < 3; ++k) box.extend(film.corner(t, k));
+    box.min().array() -= kTouch, box.max().array() += kTouch;
     tree.all(FaceTree::rounded(box), [&](Index other) {
-      if (other != t && !Meeting(film.positions, film.triangles[t], film.triangles[other], kMeetingMargin)
-                             .in_common_corners_only())
+      if (other != t &&
+          !Meeting(film.positions, film.triangles[t], film.triangles[other], kTouch).in_common_corners_only())
         met[i].push_back(other);
       return met[i].size() < kMostMeetings;
     });
   });
+  // What is hard to tell may be told differently from the two sides.
+  for (std::size_t t = 0; t < met.size(); ++t)
+    for (std::size_t i = 0; i < met[t].size(); ++i) {
+      const Index other = met[t][i];
+      std::vector<Index>& back = met[other];
+      if (back.size() < kMostMeetings &&
+          std::find(back.begin(), back.end(), static_cast<Index>(t)) == back.end())
+        back.push_back(static_cast<Index>(t));
+    }
   return met;
 }
 
@@ -70,7 +85,7 @@ std::vector<Face> meeting_faces(const GuidingSurface& film, const std::vector<st
   if (faces.empty()) return faces;
   std::vector<Vec3> vertex_normal(film.positions.size(), Vec3::Zero());
   for (Index t = 0; t < static_cast<Index>(film.triangles.size()); ++t)
-    for (Index v : film.triangles[t]) vertex_normal[v] += area_vector(film, t);
+    for (Index v : film.triangles[t]) vertex_normal[v] += area_vector2(film, t);
   for (Face& face : faces) {
     for (Index other : met[face.t])
       if (place[other] != kNone) face.met.push_back(place[other]);
@@ -78,7 +93,7 @@ std::vector<Face> meeting_faces(const GuidingSurface& film, const std::vector<st
     const Corners& corners = film.triangles[face.t];
     const Vec3 around = vertex_normal[corners[0]] + vertex_normal[corners[1]] + vertex_normal[corners[2]];
     // The last bits are those of the order in which the faces were added up.
-    face.agrees = std::round(1e6 * area_vector(film, face.t).normalized().dot(around.normalized()));
+    face.agrees = std::round(1e6 * area_vector2(film, face.t).normalized().dot(around.normalized()));
     for (int k = 0; k < 3; ++k) face.name[k] = film.site[corners[k]];
     std::sort(face.name.begin(), face.name.end());
   }
@@ -87,7 +102,8 @@ std::vector<Face> meeting_faces(const GuidingSurface& film, const std::vector<st
 
 }  // namespace
 
-std::int64_t remove_meeting_faces(GuidingSurface& film, const SiteGeometry& geometry) {
+std::int64_t remove_meeting_faces(GuidingSurface& film, const SiteGeometry& geometry, const Cancel& cancel) {
+  cancel();
   const std::vector<std::vector<Index>> met = find_meetings(film);
   std::vector<char> keep(met.size(), 1);
   for (std::size_t t = 0; t < met.size(); ++t) keep[t] = met[t].size() < kMostMeetings;
@@ -97,6 +113,7 @@ std::int64_t remove_meeting_faces(GuidingSurface& film, const SiteGeometry& geom
   // Ends: a face is taken out once.
   for (; !worst.empty() && faces[worst.begin()->second].left > 0; worst.erase(worst.begin())) {
     const Face& face = faces[worst.begin()->second];
+    if (worst.size() % 1024 == 0) cancel();
     keep[face.t] = 0;
     for (const Index i : face.met) {
       const auto other = worst.find({faces[i].rank(), static_cast<std::size_t>(i)});

@@ -5,6 +5,7 @@
 
 #include "field/site_geometry.h"
 #include "guiding_surface.h"
+#include "work_limits.h"
 
 namespace filmsticking {
 
@@ -14,7 +15,8 @@ namespace filmsticking {
 /// vertices without a face are gone.
 ///
 /// The same for any numbering of vertices and faces. Faces that are near each other should have near numbers.
-/// Returns how many were taken for that.
-std::int64_t remove_meeting_faces(GuidingSurface& film, const SiteGeometry& geometry);
+/// Returns how many were taken for that. One that meets 64 others or more goes at once.
+std::int64_t remove_meeting_faces(GuidingSurface& film, const SiteGeometry& geometry,
+                                  const Cancel& cancel = {});
 
 }  // namespace filmsticking

@@ -78,7 +78,7 @@ constexpr std::int64_t kMostForVirtual = 64;
 // best of these is taken. No more than this share of neighbours face opposite ways where it is not.
 constexpr RimRule kFirstRim{3, 0.03}, kSecondRim{2, 0.03}, kThirdRim{3, 0.3};
 constexpr double kLittleConflict = 0.005;
-// What it would cost to show another side to the point that it was seen from everywhere.
+// What a surface costs of which half shows its back to the point that it was seen from, times two.
 constexpr double kTurnedPrice = 0.5;
 
 // Components and handles a site above which two sides are not those of an open surface, but of thin walls,
@@ -372,7 +372,7 @@ Pipeline::Candidate Pipeline::cut_two_sides() {
   if (best.quality.conflict <= kLittleConflict) return best;
   monitor_.enter("two sides", monitor_.share());
   const Vec3 viewpoint = common_viewpoint(best.film);
-  const bool one_view = !best.film.triangles.empty() && seen_once(best.film, viewpoint);
+  const bool one_view = !best.film.triangles.empty() && seen_once(best.film, viewpoint, monitor_.cancel());
   next = by_rule(kThirdRim, one_view ? &viewpoint : nullptr);
   const auto price = [&](const Candidate& sides) {
     return sides.score() + (one_view ? kTurnedPrice * turned_away(sides.film, viewpoint) : 0);

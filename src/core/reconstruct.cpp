@@ -204,7 +204,7 @@ void run(const PointsView& points, const Options& options, const Execution& exec
     };
     changed(remove_cap_faces(film, topology->twin));
     if (options.open_boundary && !topology->check.closed) {
-      changed(remove_meeting_faces(film, geometry));
+      changed(remove_meeting_faces(film, geometry, monitor.cancel()));
       changed(fill_pinholes(film, topology->twin, geometry));
     }
     if (options.sharp_edges) {
@@ -215,7 +215,7 @@ void run(const PointsView& points, const Options& options, const Execution& exec
     if (!topology->check.manifold()) return true;
     std::vector<std::int32_t> ids(film.site.size());
     parallel_each(ids.size(), [&](std::size_t v) { ids[v] = sites.input[film.site[v]]; });
-    if (options.open_boundary) face_viewpoint(film, *topology);
+    if (options.open_boundary) face_viewpoint(film, *topology, monitor.cancel());
     return orient_components(film, points.at(ids), *topology);
   };
   bool oriented = orient();

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "parallel.h"
@@ -16,7 +17,7 @@ namespace {
 // side.
 constexpr double kDistances[] = {2, 4, 8, 32};
 constexpr int kDirections = 128;
-// Then in steps of half the size, and again, the first as a share of the distance.
+// The best is then moved a few times by this share of its distance, then by half of that, and so on.
 constexpr double kFirstStep = 0.15;
 constexpr int kStepSizes = 4, kStepsOfOneSize = 3;
 // Edges and lines are a sample of at most about so many; of a large surface the lines are fewer, to make no
@@ -27,8 +28,9 @@ constexpr std::size_t kEdges = 4000, kLines = 128, kFewLines = 16, kTests = 100'
 constexpr double kCrossAgain = 0.35;
 // A line may cross the surface again within so many longest edges of a face.
 constexpr double kFaceReach = 4;
-// Edges at which a surface turns further than this, in radians, are folds at its rim, not bends.
-constexpr double kFold = 1;
+// Edges at which a surface turns further than this, in radians, are folds at its rim, not bends, nor edges of
+// a box.
+constexpr double kFold = 2;
 
 struct Component {
   std::vector<Index> faces;
@@ -128,7 +130,8 @@ Vec3 common_viewpoint(const GuidingSurface& surface) {
   const auto [centre, size] = extent(surface.positions);
   const std::vector<Edge> edges = some_edges(surface);
   Vec3 best = centre;
-  double most = -1;
+  if (edges.empty() || !(size > 0)) return best;
+  double most = -std::numeric_limits<double>::infinity();
   const auto consider = [&](const Vec3& eye) {
     const double agreement = parallel_sum(edges.size(), [&](std::size_t i) {
       const Vec3 ray = (eye - edges[i].middle).normalized();
@@ -158,11 +161,12 @@ Vec3 common_viewpoint(const GuidingSurface& surface) {
   return best;
 }
 
-bool seen_once(const GuidingSurface& surface, const Vec3& viewpoint) {
+bool seen_once(const GuidingSurface& surface, const Vec3& viewpoint, const Cancel& cancel) {
   const std::size_t n = surface.triangles.size();
   const std::size_t step = n / std::clamp(kTests / (n + 1), kFewLines, kLines) + 1;
   std::size_t lines = 0, again = 0;
   for (std::size_t i = 0; i < n; i += step) {
+    cancel();
     const auto face = static_cast<Index>(i);
     const Vec3 x = middle(surface, face);
     double longest = 0;
@@ -183,7 +187,7 @@ double turned_away(const GuidingSurface& surface, const Vec3& viewpoint) {
   return all > 0 ? std::min(away, all - away) / all : 0;
 }
 
-Index face_viewpoint(GuidingSurface& surface, const SurfaceTopology& topology) {
+Index face_viewpoint(GuidingSurface& surface, const SurfaceTopology& topology, const Cancel& cancel) {
   std::vector<Component> components(static_cast<std::size_t>(topology.components));
   for (Index t = 0; t < static_cast<Index>(topology.component.size()); ++t) {
     Component& component = components[topology.component[t]];
@@ -202,7 +206,7 @@ Index face_viewpoint(GuidingSurface& surface, const SurfaceTopology& topology) {
   if (std::count_if(components.begin(), components.end(), [](const Component& c) { return c.open; }) == 1)
     return turned;
   const Vec3 viewpoint = common_viewpoint(surface);
-  if (!seen_once(surface, viewpoint)) return turned;
+  if (!seen_once(surface, viewpoint, cancel)) return turned;
   // The viewpoint may be behind the surface.
   const bool front = seen_from(surface, *largest, viewpoint) > 0.5;
   for (const Component& component : components) {

@@ -3,6 +3,7 @@
 
 #include "guiding_surface.h"
 #include "triangle_adjacency.h"
+#include "work_limits.h"
 
 namespace filmsticking {
 
@@ -12,11 +13,11 @@ namespace filmsticking {
 /// inside has none; then it is somewhere.
 Vec3 common_viewpoint(const GuidingSurface& surface);
 
-/// Do nearly all lines through that point cross the surface no more than once? So they do if it is a scan
-/// from there.
-bool seen_once(const GuidingSurface& surface, const Vec3& viewpoint);
+/// Do most lines through that point cross the surface no more than once? So they do if it is a scan from
+/// there.
+bool seen_once(const GuidingSurface& surface, const Vec3& viewpoint, const Cancel& cancel = {});
 
-/// The share of the area that shows its other side to a point than most.
+/// The share of the area that shows a point another side than most of the area does; a half at most.
 double turned_away(const GuidingSurface& surface, const Vec3& viewpoint);
 
 /// Turns the open components of a manifold to one viewpoint. A scan from one side is seen from one point,
@@ -24,6 +25,6 @@ double turned_away(const GuidingSurface& surface, const Vec3& viewpoint);
 /// front of the largest open component is the side that is convex on the whole, as things are; the others
 /// show theirs where it does. Where it is no scan from one side, no other is turned. `topology`: that of its
 /// triangles before. Returns how many components were turned.
-Index face_viewpoint(GuidingSurface& surface, const SurfaceTopology& topology);
+Index face_viewpoint(GuidingSurface& surface, const SurfaceTopology& topology, const Cancel& cancel = {});
 
 }  // namespace filmsticking

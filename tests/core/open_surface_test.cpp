@@ -209,6 +209,23 @@ TEST(OpenSurface, Regression_ANoisyDepthViewFacesTheCamera) {
   }
 }
 
+// Faces around two points as near as this were said to meet, and taken away: half the surface was gone.
+TEST(OpenSurface, Regression_NearPointsDoNotTearASheet) {
+  for (const double apart : {3e-8, 6e-8, 2e-7}) {
+    SCOPED_TRACE(apart);
+    std::vector<Point> points = sheet(1500, 1, 0.2), twice = points;
+    test::Random random(2);
+    for (const Point& p : points)
+      twice.push_back({p[0] + 2 * apart * random.uniform(-1, 1), p[1] + 2 * apart * random.uniform(-1, 1),
+                       p[2] + 2 * apart * random.uniform(-1, 1)});
+    const Result once = reconstruct_open(points), result = reconstruct_open(twice);
+    expect_open_manifold(result, twice);
+    // Some faces between so near points cut others.
+    EXPECT_GE(10 * result.triangles.size(), 18 * once.triangles.size());
+    EXPECT_LE(result.report.boundary_edges, 5 * once.report.boundary_edges);
+  }
+}
+
 TEST(OpenSurface, ClosedCloudsStayAsTheyAre) {
   const std::map<std::string, std::vector<Point>> clouds = {
       {"sphere", test::sphere(3000, 1)},

@@ -466,6 +466,23 @@ TEST(Viewpoint, IsInViewOfAllThatCanBeSeenWhicheverWayItIsTurned) {
   }
 }
 
+// All of its bends are right angles, which were taken for folds.
+TEST(Viewpoint, Regression_ABoxShowsItsOutside) {
+  // A cube's sides but the one at z = 0, each of two faces.
+  std::vector<Vec3> positions;
+  for (int i = 0; i < 8; ++i) positions.emplace_back(i & 1, i >> 1 & 1, i >> 2);
+  const std::vector<Corners> outward = {{4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4}, {1, 3, 7},
+                                        {1, 7, 5}, {3, 2, 6}, {3, 6, 7}, {2, 0, 4}, {2, 4, 6}};
+  for (const bool inward : {false, true}) {
+    std::vector<Corners> triangles = outward;
+    if (inward)
+      for (Corners& t : triangles) std::swap(t[1], t[2]);
+    GuidingSurface film = film_of(positions, std::move(triangles));
+    EXPECT_EQ(turned(film), inward ? 1 : 0);
+    EXPECT_GT(normal(film, 0).z(), 0);
+  }
+}
+
 TEST(Viewpoint, SeesABallTwiceAndHalfOfItOnce) {
   const GuidingSurface ball = bounding_sphere({Vec3(0.5, 0.5, 0.5)});
   EXPECT_FALSE(seen_once(ball, common_viewpoint(ball)));

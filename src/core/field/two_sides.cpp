@@ -87,8 +87,8 @@ class SignedClusters {
   std::vector<signed char> sign_;
 };
 
-/// The contraction. An edge is a facet, named 4 t + k from its lesser side, or, 4 n + root of n tetrahedra,
-/// is between a cluster and the side away from the viewpoint, which is one more cluster, n.
+/// The contraction. An edge is a facet, named 4 t + k from its lesser side. Of n tetrahedra, cluster n is the
+/// side away from the viewpoint, and 4 n + root the edge between that and another cluster.
 class Contraction {
  public:
   Contraction(const TetrahedralMesh& mesh, std::vector<double> weight)

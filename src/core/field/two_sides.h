@@ -29,8 +29,8 @@ struct RimRule {
 /// greedy additive edge contraction (Keuper et al. 2015) for two colours. At last the colour that has more of
 /// the hull is outside.
 ///
-/// `viewpoint`: of which all of the surface shows the same side to it, if there is one. What facets say of
-/// that joins clusters that little else joins.
+/// `viewpoint`: a point to which all of the surface shows the same side, or null. What facets say of that
+/// joins clusters that little else joins.
 std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
                               const FacetEvidence& evidence, const SiteGeometry& geometry, const RimRule& rim,
                               const Vec3* viewpoint = nullptr, const Cancel& cancel = {});
