@@ -54,7 +54,7 @@ struct Options {
 
   /// Leave out the faces that no data supports (see Result::gaps): the result is a manifold with boundary
   /// then, the visible surface of a scan from one side, say. A cloud from all sides stays closed. Pieces with a
-  /// boundary face one viewpoint, where one sees the largest: from its convex side.
+  /// boundary face one viewpoint, where there is one: from its convex side.
   bool open_boundary = false;
 
   /// Bring on outliers, too: points far from all others that are no part of a surface. They are left off

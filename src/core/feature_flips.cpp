@@ -26,9 +26,6 @@ constexpr float kLeastGain = 0.02F, kNoisy = 0.25F;
 // What is usual at a vertex: of the bends of its edges, this quantile; and of these, the median over the
 // vertex and those around it.
 constexpr float kUsual = 0.25F;
-// Faces nearer to a flip's tetrahedron than this may meet it, in units of the box that holds the sites: more
-// than float coordinates are rounded.
-constexpr double kMargin = 1e-7;
 // Most flips are made in the first rounds. They end by themselves, since every flip lowers a sum; but there
 // are films on which only one flip a round could be made.
 constexpr int kRounds = 40;
@@ -235,7 +232,7 @@ class FeatureFlips {
     const Index c = tet[2], d = tet[3];
     if (c == d || have_edge(film_.triangles, twin_, prev_in_face(g), prev_in_face(twin_[g]))) return Verdict::Never;
     Box box = box_of(tet);
-    box.min().array() -= kMargin, box.max().array() += kMargin;
+    box.min().array() -= kMeetingMargin, box.max().array() += kMeetingMargin;
     const Fence fence(film_.positions, tet);
     Verdict verdict = Verdict::Made;
     tree_.all(FaceTree::rounded(box), [&](Index t) {
@@ -246,13 +243,13 @@ class FeatureFlips {
         if (box_of(swept).intersects(box)) {
           const bool same_edge = std::minmax(c, d) == std::minmax(swept[2], swept[3]);
           if (same_edge || !(fence.keeps_out(swept) ||
-                             Meeting(film_.positions, tet, swept, kMargin).in_common_corners_only()))
+                             Meeting(film_.positions, tet, swept, kMeetingMargin).in_common_corners_only()))
             verdict = Verdict::Waits;
         }
       }
       const Corners& face = film_.triangles[t];
       if (!box_of(face).intersects(box) || fence.keeps_out(face)) return true;
-      if (Meeting(film_.positions, tet, face, kMargin).in_common_corners_only()) return true;
+      if (Meeting(film_.positions, tet, face, kMeetingMargin).in_common_corners_only()) return true;
       verdict = Verdict::Never;
       return false;
     });
@@ -281,8 +278,8 @@ class FeatureFlips {
             const double x = out.dot(positions[v] - p);
             most = std::max(most, x), least = std::min(least, x);
           }
-        if (least > kMargin) out = -out, most = -least;
-        if (most >= -kMargin) continue;
+        if (least > kMeetingMargin) out = -out, most = -least;
+        if (most >= -kMeetingMargin) continue;
         post_[count_] = from[k], end_[count_] = to[k], out_[count_++] = out;
       }
     }
@@ -293,7 +290,7 @@ class FeatureFlips {
         bool out = true;
         for (std::size_t i = 0; i < N && out; ++i) {
           const Index v = vertices[i];
-          out = v == post_[k] || v == end_[k] || out_[k].dot(positions_[v] - positions_[post_[k]]) > kMargin;
+          out = v == post_[k] || v == end_[k] || out_[k].dot(positions_[v] - positions_[post_[k]]) > kMeetingMargin;
         }
         if (out) return true;
       }

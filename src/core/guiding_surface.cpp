@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/alpha_wrap_3.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -71,6 +72,11 @@ GuidingSurface alpha_wrap(const std::vector<Vec3>& sites, double alpha) {
   }
   surface.site.assign(surface.positions.size(), kNone);
   return surface;
+}
+
+Vec3 GuidingSurface::area_vector2(Index triangle) const {
+  const Vec3 a = corner(triangle, 0);
+  return (corner(triangle, 1) - a).cross(corner(triangle, 2) - a);
 }
 
 double signed_volume6(const GuidingSurface& surface) {

@@ -15,6 +15,8 @@ struct GuidingSurface {
   std::vector<Corners> triangles;
 
   Vec3 corner(Index triangle, int k) const { return positions[triangles[triangle][k]]; }
+  /// Normal to a triangle, outward, twice its area long.
+  Vec3 area_vector2(Index triangle) const;
 };
 
 /// An icosphere around the box [-0.5, 0.5]^3 that holds every site (paper, section 3).

@@ -26,10 +26,6 @@ constexpr std::size_t kMostMeetings = 64;
 // surface.
 constexpr double kTouch = 1e-12;
 
-Vec3 area_vector2(const GuidingSurface& film, Index t) {
-  return (film.corner(t, 1) - film.corner(t, 0)).cross(film.corner(t, 2) - film.corner(t, 0));
-}
-
 // Of every face those that it meets elsewhere than in common corners, which meet it: all, if they are fewer
 // than kMostMeetings.
 std::vector<std::vector<Index>> find_meetings(const GuidingSurface& film) {
@@ -85,7 +81,7 @@ std::vector<Face> meeting_faces(const GuidingSurface& film, const std::vector<st
   if (faces.empty()) return faces;
   std::vector<Vec3> vertex_normal(film.positions.size(), Vec3::Zero());
   for (Index t = 0; t < static_cast<Index>(film.triangles.size()); ++t)
-    for (Index v : film.triangles[t]) vertex_normal[v] += area_vector2(film, t);
+    for (Index v : film.triangles[t]) vertex_normal[v] += film.area_vector2(t);
   for (Face& face : faces) {
     for (Index other : met[face.t])
       if (place[other] != kNone) face.met.push_back(place[other]);
@@ -93,7 +89,7 @@ std::vector<Face> meeting_faces(const GuidingSurface& film, const std::vector<st
     const Corners& corners = film.triangles[face.t];
     const Vec3 around = vertex_normal[corners[0]] + vertex_normal[corners[1]] + vertex_normal[corners[2]];
     // The last bits are those of the order in which the faces were added up.
-    face.agrees = std::round(1e6 * area_vector2(film, face.t).normalized().dot(around.normalized()));
+    face.agrees = std::round(1e6 * film.area_vector2(face.t).normalized().dot(around.normalized()));
     for (int k = 0; k < 3; ++k) face.name[k] = film.site[corners[k]];
     std::sort(face.name.begin(), face.name.end());
   }
@@ -105,7 +101,7 @@ std::vector<Face> meeting_faces(const GuidingSurface& film, const std::vector<st
 std::int64_t remove_meeting_faces(GuidingSurface& film, const SiteGeometry& geometry, const Cancel& cancel) {
   cancel();
   const std::vector<std::vector<Index>> met = find_meetings(film);
-  std::vector<char> keep(met.size(), 1);
+  std::vector<char> keep(met.size());
   for (std::size_t t = 0; t < met.size(); ++t) keep[t] = met[t].size() < kMostMeetings;
   std::vector<Face> faces = meeting_faces(film, met, keep);
   std::set<std::pair<decltype(faces[0].rank()), std::size_t>> worst;

@@ -154,6 +154,21 @@ TEST(OpenSurface, Regression_ASheetThatIsClosedFacesOneWay) {
   }
 }
 
+// With middles in [-1, 1]^3.
+std::vector<std::array<double, 4>> spheres(test::Random& random, int n, double least, double most) {
+  std::vector<std::array<double, 4>> all;
+  for (int i = 0; i < n; ++i)
+    all.push_back(
+        {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(least, most)});
+  return all;
+}
+
+auto towards(const Point& eye) {
+  return [eye](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    return Eigen::Vector3d(eye[0], eye[1], eye[2]) - p;
+  };
+}
+
 // A surface was seen from behind in parts, with a seam of holes through the middle of what is sampled well:
 // clusters of tetrahedra before it and behind it had met first around its rim. Pieces of their own were
 // turned by chance.
@@ -162,20 +177,13 @@ TEST(OpenSurface, Regression_ADepthViewFacesTheCamera) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     SCOPED_TRACE(seed);
     test::Random random(seed);
-    std::vector<std::array<double, 4>> spheres;
-    for (int i = 0; i < 7; ++i)
-      spheres.push_back(
-          {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.3, 0.7)});
-    const auto points = test::depth_view(spheres, eye, 0.006);
+    const auto points = test::depth_view(spheres(random, 7, 0.3, 0.7), eye, 0.006);
     const Result result = reconstruct_open(points);
     expect_open_manifold(result, points);
     EXPECT_FALSE(result.report.closed);
     EXPECT_GE(static_cast<double>(result.report.interpolated), 0.995 * static_cast<double>(points.size()));
-    const auto view = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
-      return Eigen::Vector3d(eye[0], eye[1], eye[2]) - p;
-    };
-    EXPECT_GE(facing(result, points, view), 0.9);
-    EXPECT_GE(fronts(result, points, view), 0.9);
+    EXPECT_GE(facing(result, points, towards(eye)), 0.9);
+    EXPECT_GE(fronts(result, points, towards(eye)), 0.9);
   }
 }
 
@@ -189,23 +197,16 @@ TEST(OpenSurface, Regression_ANoisyDepthViewFacesTheCamera) {
   for (std::uint64_t seed = 2; seed <= 6; ++seed) {
     SCOPED_TRACE(seed);
     test::Random random(seed);
-    std::vector<std::array<double, 4>> spheres;
-    for (int i = 0; i < 30; ++i)
-      spheres.push_back(
-          {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.1, 0.27)});
     std::vector<Point> points;
-    for (Point p : test::depth_view(spheres, eye, kPixel)) {
+    for (Point p : test::depth_view(spheres(random, 30, 0.1, 0.27), eye, kPixel)) {
       if (random.uniform(0, 1) > kKept) continue;
       for (double& x : p) x += noise * random.uniform(-1, 1);
       points.push_back(p);
     }
     const Result result = reconstruct_open(points);
     expect_open_manifold(result, points);
-    const auto view = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
-      return Eigen::Vector3d(eye[0], eye[1], eye[2]) - p;
-    };
     // The others are faces along the lines of sight, which noise turns.
-    EXPECT_GE(fronts(result, points, view), 0.87);
+    EXPECT_GE(fronts(result, points, towards(eye)), 0.87);
   }
 }
 
