@@ -240,6 +240,48 @@ std::vector<Point> ellipsoid(int n, std::uint64_t seed, double x0) {
   return points;
 }
 
+TEST(ManifoldLabels, ABridgeThatNoSamplesLineIsCut) {
+  int bridges = 0, cut = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    std::vector<Point> points = ellipsoid(1500, seed, 0);
+    const std::vector<Point> second = ellipsoid(1500, seed + 100, 2.05);
+    points.insert(points.end(), second.begin(), second.end());
+    const Setting s(points);
+    const auto in = [](const Point& p, double x0) {
+      return std::pow(p[0] - x0, 2) + std::pow(p[1] / 0.8, 2) + std::pow(p[2] / 0.6, 2) < 1;
+    };
+    // As if they were two ends of one part, and touched twice.
+    std::vector<char> inside = labels_where(s, [&](const Point& p) {
+      const double off = std::abs(p[1]);
+      return in(p, 0) || in(p, 2.05) || (std::abs(p[0] - 1.025) < 0.1 && off > 0.1 && off < 0.2 && std::abs(p[2]) < 0.06);
+    });
+    const LabelCosts costs = costs_of(s);
+    ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
+    manifold.repair();
+    if (euler_if_manifold(s, inside) != 0) continue;  // there are not two
+    manifold.fill_gaps(s.set.perturbed);
+    ++bridges, cut += topology(s, inside).handles == 0;
+  }
+  EXPECT_GE(bridges, 3);
+  EXPECT_EQ(cut, bridges);
+}
+
+TEST(ManifoldLabels, ABarThatSamplesLineIsKept) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const Setting s(test::torus(800, seed, 1, 0.1));  // a spacing and a half
+    std::vector<char> inside =
+        labels_where(s, [&](const Point& p) { return std::hypot(std::hypot(p[0], p[1]) - 1, p[2]) < 0.1; });
+    const LabelCosts costs = costs_of(s);
+    ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
+    manifold.repair();
+    ASSERT_EQ(euler_if_manifold(s, inside), 0) << seed;
+    ASSERT_EQ(topology(s, inside).components, 1) << seed;
+    manifold.fill_gaps(s.set.perturbed);
+    EXPECT_EQ(euler_if_manifold(s, inside), 0) << seed;
+    EXPECT_EQ(topology(s, inside).components, 1) << seed;
+  }
+}
+
 TEST(ManifoldLabels, ATornWallIsJoined) {
   const double thickness = 0.02;  // a spacing
   int torn = 0, joined = 0;

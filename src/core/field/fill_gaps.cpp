@@ -10,25 +10,19 @@
 namespace filmsticking {
 namespace {
 
-// Circumradii, in the largest spacing of the corners, up to which tetrahedra outside are taken for a part of
-// a plug, the narrowest first. Two sides of a thin wall have gaps of up to four spacings at the same place.
-constexpr double kPlugRadii[] = {1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
-// The same of a facet of a cap. Wide tetrahedra have narrow facets where one side of a wall has a large gap
-// and samples of the other fill half of it.
-constexpr double kCapRadii[] = {0.5, 0.75, 1};
-// A larger plug fills no chance gap.
-constexpr std::size_t kLargestPlug = 3000;
-// What filling a tunnel is worth, in sites off the surface. A plug has two caps, which the votes are against
-// where the tunnel is real, and takes a wall away, which they are for then: that costs more.
-constexpr double kTunnelWorth = 3;
+// Circumradii, in the largest spacing of the corners, up to which tetrahedra outside may fill a tunnel, and
+// those inside may be a bridge. Two sides of a thin wall have gaps of up to four spacings at the same place;
+// what is inside of a wall is as narrow.
+constexpr double kTunnelRadii[] = {1, 1.5, 2, 3}, kBridgeRadii[] = {1, 1.5};
+// Circumradii of ways between pieces.
+constexpr double kWayRadii[] = {1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
+// What a piece less is worth where one of them is a shard, which no part of a shape is.
+constexpr double kShardWorth = 2;
 // What a cap costs is known when its surroundings are at rest. More rounds than a tetrahedron is wide lead
 // away from it.
 constexpr int kRelaxRounds = 10;
 // What is worth a move then, in sites off the surface: more than rounding.
 constexpr double kRelaxGain = 1e-6;
-// What a piece less is worth. Two parts may lie close to each other, so this is little: in a tear the votes
-// are for a plug, or hardly against it.
-constexpr double kTearWorth = 0.5;
 
 }  // namespace
 
@@ -48,34 +42,10 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::smallest_first(std::vector<Mov
   return parts;
 }
 
-// The narrow tetrahedra outside, by connected parts in rising order of size.
-std::vector<ManifoldLabels::Move> ManifoldLabels::plugs(double radius) const {
-  const auto small = [&](Index t) { return !inside_[t] && narrow(t, radius); };
-  std::vector<char> met(mesh_.size(), 0);
-  std::vector<Move> parts;
-  for (std::size_t s = 0; s < mesh_.size(); ++s) {
-    if (met[s] || !small(static_cast<Index>(s))) continue;
-    met[s] = 1;
-    Move part{static_cast<Index>(s)};
-    std::size_t beside_outside = 0;
-    for (std::size_t i = 0; i < part.size(); ++i)
-      for (Index u : mesh_.tets.neighbours[part[i]]) {
-        if (met[u]) continue;
-        if (small(u)) {
-          met[u] = 1, part.push_back(u);
-        } else {
-          beside_outside += !inside_[u];
-        }
-      }
-    // A plug has two caps.
-    if (beside_outside >= 2 && part.size() <= kLargestPlug) parts.push_back(std::move(part));
-  }
-  return smallest_first(std::move(parts));
-}
-
 // Is one label in several pieces around tetrahedra that were relabelled? All of it that is there is grown at
-// the same pace until it has met, or one piece ends: it takes no longer than the smaller piece.
-bool ManifoldLabels::parted(const Move& part, char label) {
+// the same pace until it has met, or one piece ends: it takes no longer than the smaller piece. Pieces that have
+// not ended after `most` tetrahedra count as one.
+bool ManifoldLabels::parted(const Move& part, char label, std::size_t most) {
   ++stamp_;
   std::vector<Index> queue, root, waiting;
   const auto start_at = [&](Index t) {
@@ -95,7 +65,7 @@ bool ManifoldLabels::parted(const Move& part, char label) {
     return i;
   };
   std::size_t pieces = queue.size();
-  for (std::size_t i = 0; i < queue.size() && pieces > 1; ++i) {
+  for (std::size_t i = 0; i < std::min(most, queue.size()) && pieces > 1; ++i) {
     const Index own = find(source_[queue[i]]);
     for (Index u : mesh_.tets.neighbours[queue[i]]) {
       if (inside_[u] != label) continue;
@@ -110,7 +80,7 @@ bool ManifoldLabels::parted(const Move& part, char label) {
     ++counts_.visits;
     if (--waiting[own] == 0) return pieces > 1;
   }
-  return pieces > 1;
+  return false;
 }
 
 Index ManifoldLabels::piece(Index t) {
@@ -151,13 +121,13 @@ void ManifoldLabels::unite_around(const Move& part) {
 }
 
 // Fills a plug, or takes a bar away, and repairs what that makes singular, if what it mends is worth it all;
-// else changes nothing. `relax`: what lies around it may follow, without a change of topology.
-void ManifoldLabels::fill(const Move& plug, bool relax) {
+// else changes nothing.
+void ManifoldLabels::fill(const Move& plug, const Terms& terms) {
   const auto worth = [&](int handles, int pieces) {
-    return handles < 0 || pieces < 0 ? 0 : (kTunnelWorth * handles + kTearWorth * pieces) * site_cost_;
+    return handles < 0 || pieces < 0 ? 0 : (terms.tunnel * handles + terms.tear * pieces) * site_cost_;
   };
   const Effect alone = effect(plug);
-  if (alone.surplus == 0 && pieces_around(plug) <= 2 &&
+  if (!terms.relax && alone.surplus == 0 && pieces_around(plug) <= 2 &&
       (alone.euler <= 0 || alone.cost >= worth(alone.euler / 2, 0)))
     return;
   double cost = 0;
@@ -203,7 +173,7 @@ void ManifoldLabels::fill(const Move& plug, bool relax) {
       }
     }
   };
-  if (manifold && !parted(changed, 0) && !parted(changed, 1)) {
+  if (manifold && !parted(changed, 0, terms.look) && !parted(changed, 1, terms.look)) {
     bool present[2] = {false, false};
     for (Index t : changed) {
       present[inside_[t] ? 1 : 0] = true;
@@ -212,7 +182,7 @@ void ManifoldLabels::fill(const Move& plug, bool relax) {
     // Components of the surface are pieces of both labels less one; handles, components less half of the
     // Euler characteristic.
     const int pieces = pieces_around(changed) - present[0] - present[1], handles = euler / 2 + pieces;
-    if (relax && handles + pieces > 0 && cost >= worth(handles, pieces)) come_to_rest();
+    if (terms.relax && handles + pieces > 0 && cost >= worth(handles, pieces)) come_to_rest();
     if (handles + pieces > 0 && cost < worth(handles, pieces)) {
       unite_around(changed);
       counts_.tunnels += handles > 0;
@@ -226,12 +196,12 @@ void ManifoldLabels::fill(const Move& plug, bool relax) {
 }
 
 // From the first on, those that another's repair has left as they were.
-void ManifoldLabels::fill_all(const std::vector<Move>& plugs, char label, bool relax) {
+void ManifoldLabels::fill_all(const std::vector<Move>& plugs, char label, const Terms& terms) {
   for (const Move& plug : plugs) {
     cancel_();
     if (spent()) return;
     const bool whole = std::all_of(plug.begin(), plug.end(), [&](Index t) { return inside_[t] == label; });
-    if (whole && grows(plug)) fill(plug, relax);
+    if (whole && grows(plug)) fill(plug, terms);
   }
 }
 
@@ -239,18 +209,39 @@ void ManifoldLabels::fill_all(const std::vector<Move>& plugs, char label, bool r
 std::int64_t ManifoldLabels::name_pieces() {
   for (std::size_t v = 0; v < exempt_.size(); ++v)
     if (census_[v].surplus() == 0) exempt_[v] = 0;
-  const auto count = static_cast<std::int64_t>(label_pieces(mesh_, inside_, piece_));
-  alias_.resize(static_cast<std::size_t>(count));
+  pieces_ = static_cast<std::int64_t>(label_pieces(mesh_, inside_, piece_));
+  alias_.resize(static_cast<std::size_t>(pieces_));
   std::iota(alias_.begin(), alias_.end(), 0);
-  return count;
+  return pieces_;
+}
+
+// Of the surface, with its sheets at singular places taken apart.
+std::int64_t ManifoldLabels::handles() const {
+  std::int64_t euler2 = 0;  // twice the Euler characteristic: V - F / 2, with three edges for two facets
+  for (const Census& c : census_)
+    if (!c.off()) euler2 += 2 * c.sheets();
+  for (std::size_t t = 0; t < mesh_.size(); ++t)
+    if (inside_[t])
+      for (Index u : mesh_.tets.neighbours[t]) euler2 -= !inside_[u];
+  return pieces_ - 1 - euler2 / 4;
 }
 
 void ManifoldLabels::fill_gaps(const std::vector<Vec3>& sites) {
   name_pieces();
-  for (const double radius : kPlugRadii)
-    if (!spent()) fill_all(plugs(radius), 0, false);
-  for (const double radius : kCapRadii)
-    if (!spent()) fill_all(caps(sites, radius), 0, true);
+  const auto join = [&](double radius, char label) {
+    if (pieces_ <= 2 || spent()) return;
+    fill_all(ways(sites, radius, label), label, {0, kShardWorth, true});
+    name_pieces();
+  };
+  const auto close = [&](double radius, char label) {
+    if (handles() == 0 || spent()) return;
+    fill_all(discs(sites, radius, label), label, {kTunnelWorth, kTearWorth, true});
+    name_pieces();
+  };
+  for (const char label : {char{0}, char{1}})
+    for (const double radius : kWayRadii) join(radius, label);
+  for (const double radius : kTunnelRadii) close(radius, 0);
+  for (const double radius : kBridgeRadii) close(radius, 1);
 }
 
 }  // namespace filmsticking

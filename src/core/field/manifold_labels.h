@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "work_limits.h"
@@ -118,6 +119,19 @@ class ManifoldLabels {
     int euler = 0;  // of the surface with its sheets at singular places taken apart; -2: one handle more
     double cost = 0;
   };
+  // What a plug is worth by what it leaves less of, in sites off the surface; whether what lies around it may
+  // follow, without a change of topology, before that is compared; and how far a change of pieces is looked for.
+  struct Terms {
+    double tunnel, tear;
+    bool relax = false;
+    std::size_t look = std::numeric_limits<std::size_t>::max();
+  };
+  // What filling a tunnel is worth. A plug has two caps, which the votes are against where the tunnel is real, and
+  // takes a wall away, which they are for then: that costs more.
+  static constexpr double kTunnelWorth = 3;
+  // What a piece less is worth. Two parts may lie close to each other, so this is little: in a tear the votes
+  // are for a plug, or hardly against it.
+  static constexpr double kTearWorth = 0.5;
 
   int corner(Index t, Index v) const {
     const auto& c = mesh_.tets.corners[t];
@@ -156,19 +170,21 @@ class ManifoldLabels {
   bool narrow(Index t, double radius) const;
   bool narrow_facet(const std::vector<Vec3>& sites, Index t, int k, double radius) const;
   static std::vector<Move> smallest_first(std::vector<Move> parts);
-  std::vector<Move> plugs(double radius) const;
   std::vector<Move> bars(const std::vector<Vec3>& sites, double radius);
-  std::vector<Index> narrow_facets(const std::vector<Vec3>& sites, double radius) const;
-  std::vector<std::vector<Index>> closing_parts(const std::vector<Index>& facets);
-  bool dent(const Move& side, const std::vector<Index>& cap);
-  std::vector<Move> caps(const std::vector<Vec3>& sites, double radius);
-  bool parted(const Move& part, char label);
+  std::vector<char> shards(const std::vector<Vec3>& sites, char label);
+  std::vector<Move> ways(const std::vector<Vec3>& sites, double radius, char label);
+  std::vector<Move> threads(const std::vector<char>& aim, char label);
+  std::vector<Move> parts_changed(const std::vector<char>& before) const;
+  bool lined(const std::vector<Vec3>& sites, const Move& disc) const;
+  std::vector<Move> discs(const std::vector<Vec3>& sites, double radius, char label);
+  bool parted(const Move& part, char label, std::size_t most);
   Index piece(Index t);
   int pieces_around(const Move& part);
   void unite_around(const Move& part);
-  void fill(const Move& plug, bool relax);
-  void fill_all(const std::vector<Move>& plugs, char label, bool relax);
+  void fill(const Move& plug, const Terms& terms);
+  void fill_all(const std::vector<Move>& plugs, char label, const Terms& terms);
   std::int64_t name_pieces();
+  std::int64_t handles() const;
 
   const TetrahedralMesh& mesh_;
   const SiteGeometry& geometry_;
@@ -189,6 +205,7 @@ class ManifoldLabels {
   std::vector<Index> waiting_, touched_, stuck_, source_;
   // While gaps are filled, [tetrahedron]: a name of its piece; and [name]: another of the same piece, or itself.
   std::vector<Index> piece_, alias_;
+  std::int64_t pieces_ = 0;  // at the last naming
 };
 
 // Calls visit(u) for the tetrahedra around the edge of t between its corners a and b, other than t, until it

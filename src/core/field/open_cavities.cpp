@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "manifold_labels.h"
+#include "triangle_circle.h"
 
 namespace filmsticking {
 namespace {
@@ -15,6 +16,14 @@ constexpr double kBarRadii[] = {3, 2.5, 2, 1.75, 1.5, 1.25, 1};
 constexpr std::size_t kLargestBar = 3000;
 
 }  // namespace
+
+// Has a facet of finite corners a circumcircle of less than this radius, in the largest spacing of these?
+bool ManifoldLabels::narrow_facet(const std::vector<Vec3>& sites, Index t, int k, double radius) const {
+  const auto& c = mesh_.tets.corners[t];
+  const Index i = c[kFacet[k][0]], j = c[kFacet[k][1]], l = c[kFacet[k][2]];
+  const double widest = radius * std::max({geometry_.spacing[i], geometry_.spacing[j], geometry_.spacing[l]});
+  return circumradius2(sites[i], sites[j], sites[l]) < widest * widest;
+}
 
 // Parts of the inside connected through wide facets that lie between pieces of the outside, in rising order
 // of size.
@@ -47,7 +56,7 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::bars(const std::vector<Vec3>& 
 void ManifoldLabels::open_cavities(const std::vector<Vec3>& sites) {
   if (name_pieces() < 3) return;
   for (const double radius : kBarRadii)
-    if (!spent()) fill_all(bars(sites, radius), 1, true);
+    if (!spent()) fill_all(bars(sites, radius), 1, {kTunnelWorth, kTearWorth, true});
 }
 
 }  // namespace filmsticking
