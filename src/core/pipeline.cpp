@@ -346,7 +346,7 @@ Pipeline::Candidate Pipeline::refined(Candidate best) {
     std::vector<double> guess(mesh_.size());
     for (std::size_t t = 0; t < guess.size(); ++t) guess[t] = best.labels[t] ? 1 : -1;
     Candidate next =
-        without_gaps(cut(signed_field(mesh_, evidence_, std::move(guess), monitor_.cancel()), kConviction));
+        judged(cut(signed_field(mesh_, evidence_, std::move(guess), monitor_.cancel()), kConviction));
     const double given_up = static_cast<double>(next.quality.off - best.quality.off);
     if (!(next.score() < best.score()) || next.quality.complexity > best.quality.complexity ||
         given_up > kGivenUp * static_cast<double>(sites_.size()))
@@ -413,8 +413,8 @@ Pipeline::Candidate Pipeline::carve() {
     Candidate other = judged(cut(carve_belief(carving.width, kCarveSlope), carving.conviction));
     if (other.score() < carving.share * best.score()) best = std::move(other), two_sided = false;
   }
-  best = without_gaps(std::move(best));
   if (!two_sided) best = refined(std::move(best));
+  best = without_gaps(std::move(best));
   const auto enough = static_cast<std::int64_t>(kMuchTrouble * static_cast<double>(sites_.size()));
   if (!best.film.triangles.empty() && best.quality.off <= enough) return best;
   Candidate film = finish(film_from_outside());

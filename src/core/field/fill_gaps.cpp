@@ -16,8 +16,13 @@ namespace {
 constexpr double kTunnelRadii[] = {1, 1.5, 2, 3}, kBridgeRadii[] = {1, 1.5};
 // Circumradii of ways between pieces.
 constexpr double kWayRadii[] = {1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
-// What a piece less is worth where one of them is a shard, which no part of a shape is.
-constexpr double kShardWorth = 2;
+// What a handle or a piece less is worth, in sites off the surface, on a smooth surface, and how much more on a
+// rough one: of noise, where evidence is weak and chance gaps are wide. Two parts may lie close to each other, so a
+// piece is worth less, and only if it is a shard.
+constexpr double kTunnelWorth = 1, kTunnelWorthRough = 2, kShardWorth = 0.5, kShardWorthRough = 1.5;
+// A surface is rough if its facets face this much away from the mean of those around their corners, as 1 less the
+// median cosine: noise of half the spacing.
+constexpr double kRough = 0.2;
 // What a cap costs is known when its surroundings are at rest. More rounds than a tetrahedron is wide lead
 // away from it.
 constexpr int kRelaxRounds = 10;
@@ -226,16 +231,38 @@ std::int64_t ManifoldLabels::handles() const {
   return pieces_ - 1 - euler2 / 4;
 }
 
+// How rough the surface is: 0 for a smooth one, 1 for one of noise.
+double ManifoldLabels::roughness(const std::vector<Vec3>& sites) const {
+  std::vector<Corners> facets = tetrahedral_boundary(mesh_, inside_);
+  std::vector<Vec3> normal(facets.size()), mean(sites.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    const Vec3& o = sites[facets[i][0]];
+    normal[i] = (sites[facets[i][1]] - o).cross(sites[facets[i][2]] - o);
+    for (Index v : facets[i]) mean[v] += normal[i];
+  }
+  std::vector<double> cosines;
+  for (std::size_t i = 0; i < facets.size(); ++i)
+    for (Index v : facets[i])
+      if (const double size = normal[i].norm() * mean[v].norm(); size > 0)
+        cosines.push_back(normal[i].dot(mean[v]) / size);
+  if (cosines.empty()) return 0;
+  const auto middle = cosines.begin() + static_cast<std::ptrdiff_t>(cosines.size() / 2);
+  std::nth_element(cosines.begin(), middle, cosines.end());
+  return std::clamp((1 - *middle) / kRough, 0.0, 1.0);
+}
+
 void ManifoldLabels::fill_gaps(const std::vector<Vec3>& sites) {
   name_pieces();
+  const double rough = roughness(sites);
+  const double tunnel = kTunnelWorth + rough * kTunnelWorthRough, shard = kShardWorth + rough * kShardWorthRough;
   const auto join = [&](double radius, char label) {
     if (pieces_ <= 2 || spent()) return;
-    fill_all(ways(sites, radius, label), label, {0, kShardWorth, true});
+    fill_all(ways(sites, radius, label), label, {0, shard, true});
     name_pieces();
   };
   const auto close = [&](double radius, char label) {
     if (handles() == 0 || spent()) return;
-    fill_all(discs(sites, radius, label), label, {kTunnelWorth, kTearWorth, true});
+    fill_all(discs(sites, radius, label), label, {tunnel, 0, true});
     name_pieces();
   };
   for (const char label : {char{0}, char{1}})

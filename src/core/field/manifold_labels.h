@@ -126,12 +126,6 @@ class ManifoldLabels {
     bool relax = false;
     std::size_t look = std::numeric_limits<std::size_t>::max();
   };
-  // What filling a tunnel is worth. A plug has two caps, which the votes are against where the tunnel is real, and
-  // takes a wall away, which they are for then: that costs more.
-  static constexpr double kTunnelWorth = 3;
-  // What a piece less is worth. Two parts may lie close to each other, so this is little: in a tear the votes
-  // are for a plug, or hardly against it.
-  static constexpr double kTearWorth = 0.5;
 
   int corner(Index t, Index v) const {
     const auto& c = mesh_.tets.corners[t];
@@ -185,6 +179,7 @@ class ManifoldLabels {
   void fill_all(const std::vector<Move>& plugs, char label, const Terms& terms);
   std::int64_t name_pieces();
   std::int64_t handles() const;
+  double roughness(const std::vector<Vec3>& sites) const;
 
   const TetrahedralMesh& mesh_;
   const SiteGeometry& geometry_;
