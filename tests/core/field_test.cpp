@@ -253,7 +253,8 @@ TEST(ManifoldLabels, ABridgeThatNoSamplesLineIsCut) {
     // As if they were two ends of one part, and touched twice.
     std::vector<char> inside = labels_where(s, [&](const Point& p) {
       const double off = std::abs(p[1]);
-      return in(p, 0) || in(p, 2.05) || (std::abs(p[0] - 1.025) < 0.1 && off > 0.1 && off < 0.2 && std::abs(p[2]) < 0.06);
+      return in(p, 0) || in(p, 2.05) ||
+             (std::abs(p[0] - 1.025) < 0.1 && off > 0.1 && off < 0.2 && std::abs(p[2]) < 0.06);
     });
     const LabelCosts costs = costs_of(s);
     ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);

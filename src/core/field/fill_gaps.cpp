@@ -16,12 +16,15 @@ namespace {
 constexpr double kTunnelRadii[] = {1, 1.5, 2, 3}, kBridgeRadii[] = {1, 1.5};
 // Circumradii of ways between pieces.
 constexpr double kWayRadii[] = {1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
-// What a handle or a piece less is worth, in sites off the surface, on a smooth surface, and how much more on a
-// rough one: of noise, where evidence is weak and chance gaps are wide. Two parts may lie close to each other, so a
-// piece is worth less, and only if it is a shard.
-constexpr double kTunnelWorth = 1, kTunnelWorthRough = 2, kShardWorth = 0.5, kShardWorthRough = 1.5;
-// A surface is rough if its facets face this much away from the mean of those around their corners, as 1 less the
-// median cosine: noise of half the spacing.
+// What filling a tunnel is worth, in sites off the surface; and how much less for each tetrahedron of the
+// disc that does it where the surface is smooth: chance gaps are small then, and those in noise are not.
+constexpr double kTunnelWorth = 3, kTunnelSize = 0.05;
+// What cutting a bridge is worth and what joining a shard is, and how much more on a rough surface: of noise,
+// where evidence is weak. There is no chance bridge between smooth surfaces, and two parts may lie close to
+// each other.
+constexpr double kBridgeWorth = 1, kBridgeWorthRough = 2, kShardWorth = 0.5, kShardWorthRough = 1.5;
+// A surface is rough if its facets face this much away from the mean of those around their corners, as 1 less
+// the median cosine: noise of half the spacing.
 constexpr double kRough = 0.2;
 // What a cap costs is known when its surroundings are at rest. More rounds than a tetrahedron is wide lead
 // away from it.
@@ -48,8 +51,8 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::smallest_first(std::vector<Mov
 }
 
 // Is one label in several pieces around tetrahedra that were relabelled? All of it that is there is grown at
-// the same pace until it has met, or one piece ends: it takes no longer than the smaller piece. Pieces that have
-// not ended after `most` tetrahedra count as one.
+// the same pace until it has met, or one piece ends: it takes no longer than the smaller piece. Pieces that
+// have not ended after `most` tetrahedra count as one.
 bool ManifoldLabels::parted(const Move& part, char label, std::size_t most) {
   ++stamp_;
   std::vector<Index> queue, root, waiting;
@@ -135,7 +138,7 @@ void ManifoldLabels::fill(const Move& plug, const Terms& terms) {
   if (!terms.relax && alone.surplus == 0 && pieces_around(plug) <= 2 &&
       (alone.euler <= 0 || alone.cost >= worth(alone.euler / 2, 0)))
     return;
-  double cost = 0;
+  double cost = terms.size * static_cast<double>(plug.size()) * site_cost_;
   int euler = 0;
   std::vector<Index> singular, next, changed;
   const auto make = [&](const Move& move, std::vector<Index>& then) {
@@ -254,15 +257,17 @@ double ManifoldLabels::roughness(const std::vector<Vec3>& sites) const {
 void ManifoldLabels::fill_gaps(const std::vector<Vec3>& sites) {
   name_pieces();
   const double rough = roughness(sites);
-  const double tunnel = kTunnelWorth + rough * kTunnelWorthRough, shard = kShardWorth + rough * kShardWorthRough;
+  const Terms tunnel{kTunnelWorth, 0, (1 - rough) * kTunnelSize, true},
+      bridge{kBridgeWorth + rough * kBridgeWorthRough, 0, 0, true},
+      shard{0, kShardWorth + rough * kShardWorthRough, 0, true};
   const auto join = [&](double radius, char label) {
     if (pieces_ <= 2 || spent()) return;
-    fill_all(ways(sites, radius, label), label, {0, shard, true});
+    fill_all(ways(sites, radius, label), label, shard);
     name_pieces();
   };
   const auto close = [&](double radius, char label) {
     if (handles() == 0 || spent()) return;
-    fill_all(discs(sites, radius, label), label, {tunnel, 0, true});
+    fill_all(discs(sites, radius, label), label, label ? bridge : tunnel);
     name_pieces();
   };
   for (const char label : {char{0}, char{1}})

@@ -17,14 +17,14 @@ constexpr std::size_t kDent = 200;
 
 // The share of its neighbours' variance off the plane fitted to them from which a site's normal says nothing.
 constexpr double kUnsure = 0.1;
-// By how much the squared cosines between the normals at a disc and its axis, a third on average for any normals,
-// are less in sum where samples line a tunnel. They are more around a chance gap.
+// By how much the squared cosines between the normals at a disc and its axis, a third on average for any
+// normals, are less in sum where samples line a tunnel. They are more around a chance gap.
 constexpr double kLined = 0.3;
 
 }  // namespace
 
-// Do samples line the tunnel that a disc is across, or the bar that it is through? Their normals are across its
-// axis then; around a chance gap in a wall they are along it. The normals in noise say neither.
+// Do samples line the tunnel that a disc is across, or the bar that it is through? Their normals are across
+// its axis then; around a chance gap in a wall they are along it. The normals in noise say neither.
 bool ManifoldLabels::lined(const std::vector<Vec3>& sites, const Move& disc) const {
   Eigen::Matrix3d ahead = Eigen::Matrix3d::Zero();
   std::vector<Index> around;
@@ -50,8 +50,8 @@ bool ManifoldLabels::lined(const std::vector<Vec3>& sites, const Move& disc) con
   return less > kLined;
 }
 
-// The narrow tetrahedra of a label at which what is left of it is as wide as one facet: with all three edges on
-// the surface.
+// The narrow tetrahedra of a label at which what is left of it is as wide as one facet: with all three edges
+// on the surface.
 std::vector<ManifoldLabels::Move> ManifoldLabels::threads(const std::vector<char>& aim, char label) {
   const auto at_surface = [&](Index t, int a, int b) {
     bool met = false;
@@ -96,7 +96,8 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::parts_changed(const std::vecto
 
 // Where relabelling narrow tetrahedra of a label leaves fewer handles. They follow their neighbours as far as
 // that is without a change of topology; what is left of a tunnel then is a thread, which is cut; and all that
-// can goes back without a change of topology, but for a disc across each tunnel. Leaves the labels as they are.
+// can goes back without a change of topology, but for a disc across each tunnel. Leaves the labels as they
+// are.
 std::vector<ManifoldLabels::Move> ManifoldLabels::discs(const std::vector<Vec3>& sites, double radius,
                                                         char label) {
   const std::vector<char> before = inside_;
@@ -110,7 +111,7 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::discs(const std::vector<Vec3>&
     last = counts_.tunnels;
     warp(aim);
     name_pieces();
-    fill_all(threads(aim, label), label, {kAnyPrice, 0, false, kDent});
+    fill_all(threads(aim, label), label, {kAnyPrice, 0, 0, false, kDent});
   }
   std::vector<Move> moves;
   if (counts_.tunnels > counts_before.tunnels) {
@@ -123,8 +124,9 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::discs(const std::vector<Vec3>&
   counts_before.visits = counts_.visits;
   counts_ = counts_before;
   name_pieces();
-  moves.erase(std::remove_if(moves.begin(), moves.end(), [&](const Move& move) { return lined(sites, move); }),
-              moves.end());
+  moves.erase(
+      std::remove_if(moves.begin(), moves.end(), [&](const Move& move) { return lined(sites, move); }),
+      moves.end());
   return moves;
 }
 

@@ -11,8 +11,8 @@
 namespace filmsticking {
 namespace {
 
-// A piece with less volume than this for each of its sites, in cubes of their spacing, is a shard: it is thinner
-// than a tube of two spacings' radius, which would be torn where samples are random.
+// A piece with less volume than this for each of its sites, in cubes of their spacing, is a shard: it is
+// thinner than a tube of two spacings' radius, which would be torn where samples are random.
 constexpr double kShard = 1;
 // Ways that are tried between the same two pieces.
 constexpr int kWays = 3;
@@ -45,15 +45,16 @@ std::vector<char> ManifoldLabels::shards(const std::vector<Vec3>& sites, char la
   return shard;
 }
 
-// The shortest ways of narrow tetrahedra of a label from shards to other pieces, the shortest first. They grow
-// from all pieces at once, and are where two have met.
+// The shortest ways of narrow tetrahedra of a label from shards to other pieces, the shortest first. They
+// grow from all pieces at once, and are where two have met.
 std::vector<ManifoldLabels::Move> ManifoldLabels::ways(const std::vector<Vec3>& sites, double radius,
                                                        char label) {
   const std::vector<char> shard = shards(sites, label);
   if (std::count(shard.begin(), shard.end(), 1) == 0) return {};
   const auto small = [&](Index t) { return inside_[t] == label && narrow(t, radius); };
   struct Step {
-    Index from = kNone, before = kNone, length = 0;  // the piece, the tetrahedron before, and how many to here
+    Index from = kNone, before = kNone,
+          length = 0;  // the piece, the tetrahedron before, and how many to here
   };
   std::vector<Step> step(mesh_.size());
   std::vector<Index> queue;

@@ -119,10 +119,11 @@ class ManifoldLabels {
     int euler = 0;  // of the surface with its sheets at singular places taken apart; -2: one handle more
     double cost = 0;
   };
-  // What a plug is worth by what it leaves less of, in sites off the surface; whether what lies around it may
-  // follow, without a change of topology, before that is compared; and how far a change of pieces is looked for.
+  // What a plug is worth by what it leaves less of, and what each of its tetrahedra costs, in sites off the surface;
+  // whether what lies around it may follow, without a change of topology, before that is compared; and how far a
+  // change of pieces is looked for.
   struct Terms {
-    double tunnel, tear;
+    double tunnel, tear, size = 0;
     bool relax = false;
     std::size_t look = std::numeric_limits<std::size_t>::max();
   };

@@ -58,7 +58,7 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::bars(const std::vector<Vec3>& 
 void ManifoldLabels::open_cavities(const std::vector<Vec3>& sites) {
   if (name_pieces() < 3) return;
   for (const double radius : kBarRadii)
-    if (!spent()) fill_all(bars(sites, radius), 1, {kMouthWorth, kCavityWorth, true});
+    if (!spent()) fill_all(bars(sites, radius), 1, {kMouthWorth, kCavityWorth, 0, true});
 }
 
 }  // namespace filmsticking
