@@ -185,24 +185,57 @@ TEST(Reconstruct, Regression_AThinReliefIsNotTornInItsValleys) {
   }
 }
 
-// Thin rods in noise of half the spacing: where all samples of one place lay on one side, it was torn.
+// A rod along x, so many spacings thick, through y = `beside` of them, in noise of half of one.
+void add_noisy_rod(std::vector<Point>& points, int n, double thickness, double beside, std::uint64_t seed) {
+  const double length = 2, spacing = 2 * M_PI * thickness * length / n, radius = thickness * spacing;
+  test::Random random(seed);
+  for (int i = 0; i < n; ++i) {
+    const double along = random.uniform(0, length), around = random.uniform(0, 2 * M_PI);
+    points.push_back({along, beside * spacing + radius * std::cos(around), radius * std::sin(around)});
+    for (double& x : points.back())  // a sum of three has the variance 1
+      x += spacing / 2 * (random.uniform(-1, 1) + random.uniform(-1, 1) + random.uniform(-1, 1));
+  }
+}
+
+// A ball with six limbs, so thin that noise tore them into several pieces.
 TEST(Reconstruct, Regression_NoiseDoesNotTearThinLimbs) {
-  const int n = 3000;
-  const double length = 2, thickness = 1.8;  // the radius, in spacings
-  const double spacing = 2 * M_PI * thickness * length / n, radius = thickness * spacing;
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+  const double spacing = std::sqrt(4 * M_PI / 2000), radius = 1.6 * spacing, length = 3;
+  const auto limb = static_cast<int>(2 * M_PI * radius * length / (spacing * spacing));
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
     test::Random random(seed);
     std::vector<Point> points;
-    for (int i = 0; i < n; ++i) {
-      const double along = random.uniform(0, length), around = random.uniform(0, 2 * M_PI);
-      points.push_back({along, radius * std::cos(around), radius * std::sin(around)});
-      for (double& x : points.back())  // a sum of three has the variance 1
-        x += spacing / 2 * (random.uniform(-1, 1) + random.uniform(-1, 1) + random.uniform(-1, 1));
+    for (const Point& p : test::sphere(2000, seed)) {
+      const double x = p[0] * p[0], y = p[1] * p[1], z = p[2] * p[2];
+      if (1 - std::max({x, y, z}) > radius * radius) points.push_back(p);  // no limb starts here
     }
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int side : {-1, 1})
+        for (int i = 0; i < limb; ++i) {
+          Point p;
+          const double around = random.uniform(0, 2 * M_PI);
+          p[axis] = side * random.uniform(std::sqrt(1 - radius * radius), 1 + length);
+          p[(axis + 1) % 3] = radius * std::cos(around);
+          p[(axis + 2) % 3] = radius * std::sin(around);
+          points.push_back(p);
+        }
+    for (Point& p : points)
+      for (double& x : p)  // a sum of three has the variance 1
+        x += spacing / 2 * (random.uniform(-1, 1) + random.uniform(-1, 1) + random.uniform(-1, 1));
     const Result result = reconstruct(points);
     ASSERT_EQ(result.status, Status::Ok);
     EXPECT_EQ(result.report.components, 1) << seed;
     EXPECT_LE(result.report.genus, 1) << seed;
+  }
+}
+
+TEST(Reconstruct, NoiseDoesNotJoinPartsThatAreNear) {
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    std::vector<Point> points;
+    add_noisy_rod(points, 2000, 3, 0, seed);
+    add_noisy_rod(points, 2000, 3, 10, seed + 100);
+    const Result result = reconstruct(points);
+    ASSERT_EQ(result.status, Status::Ok);
+    EXPECT_EQ(result.report.components, 2) << seed;
   }
 }
 

@@ -33,10 +33,10 @@ struct LabelCounts {
   std::int64_t erosions = 0;
   /// Tetrahedra relabelled towards `aim`: each leaves one difference from it less.
   std::int64_t warped = 0;
-  /// Plugs that left fewer handles. With the tears they are no more than the handles and the pieces that went, as
+  /// Discs that left fewer handles. With the tears they are no more than the handles and the pieces that went, as
   /// none is taken that adds as many of one as it takes of the other.
   std::int64_t tunnels = 0;
-  /// Plugs, and bars taken away, that left fewer pieces: no more than pieces went, as none adds any.
+  /// Ways, and bars taken away, that left fewer pieces: no more than pieces went, as none adds any.
   std::int64_t tears = 0;
   /// Folds and pinches that went: no more than eight for each flat tetrahedron.
   std::int64_t unfolded = 0;
@@ -88,12 +88,11 @@ class ManifoldLabels {
   /// directions).
   void reach();
 
-  /// Fills narrow gaps where that costs less than it is worth: where samples are random, both sides of a thin
-  /// wall have a gap at the same place now and then, which leaves a tunnel that no samples line, and a wall
-  /// thinner than the spacing may be torn all along a valley. The plugs that are tried are connected parts of
-  /// what is outside and as narrow as a gap, and what lies on caps: connected facets that are, where both sides
-  /// are wide. One is taken if it leaves fewer handles or fewer pieces, and not more of either. `sites` are the
-  /// corners of the tetrahedra.
+  /// Mends what chance and noise have broken, where that costs less than it is worth. Shards, torn off and thinner
+  /// than any part that samples resolve, are joined by the shortest way through what is narrow. Tunnels that no
+  /// samples line, where both sides of a thin wall have a gap at the same place, are filled by a disc, and bridges
+  /// between sides that noise has brought together are cut by one. A move is taken if it leaves fewer handles or
+  /// fewer pieces, and not more of either. `sites` are the corners of the tetrahedra.
   void fill_gaps(const std::vector<Vec3>& sites);
 
   /// Takes away what bars the way into a cavity, where that costs less than a piece less is worth: in a mouth
