@@ -10,15 +10,27 @@
 namespace filmsticking {
 namespace {
 
-// Circumradii, in the largest spacing of the corners, up to which tetrahedra outside may fill a tunnel, and
-// those inside may be a bridge. Two sides of a thin wall have gaps of up to four spacings at the same place;
-// what is inside of a wall is as narrow.
+// Circumradii, in the largest spacing of the corners, up to which tetrahedra outside are taken for a part of
+// a plug, the narrowest first. Two sides of a thin wall have gaps of up to four spacings at the same place.
+constexpr double kPlugRadii[] = {1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
+// The same of a facet of a cap. Wide tetrahedra have narrow facets where one side of a wall has a large gap
+// and samples of the other fill half of it.
+constexpr double kCapRadii[] = {0.5, 0.75, 1};
+// A larger plug fills no chance gap.
+constexpr std::size_t kLargestPlug = 3000;
+// The same of what is narrow for discs: outside, and inside for bridges, as what is inside of a wall is as
+// narrow.
 constexpr double kTunnelRadii[] = {1, 1.5, 2, 3}, kBridgeRadii[] = {1, 1.5};
 // Circumradii of ways between pieces.
 constexpr double kWayRadii[] = {1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
-// What filling a tunnel is worth, in sites off the surface; and how much less for each tetrahedron of the
-// disc that does it where the surface is smooth: chance gaps are small then, and those in noise are not.
+// What filling a tunnel is worth, in sites off the surface. A plug has two caps, which the votes are against
+// where the tunnel is real, and takes a wall away, which they are for then: that costs more. And how much
+// less it is worth for each tetrahedron of a disc where the surface is smooth: chance gaps are small then,
+// those in noise not.
 constexpr double kTunnelWorth = 3, kTunnelSize = 0.05;
+// What a piece less is worth. Two parts may lie close to each other, so this is little: in a tear the votes
+// are for a plug, or hardly against it.
+constexpr double kTearWorth = 0.5;
 // What cutting a bridge is worth and what joining a shard is, and how much more on a rough surface: of noise,
 // where evidence is weak. There is no chance bridge between smooth surfaces, and two parts may lie close to
 // each other.
@@ -48,6 +60,31 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::smallest_first(std::vector<Mov
   std::stable_sort(parts.begin(), parts.end(),
                    [](const Move& a, const Move& b) { return a.size() < b.size(); });
   return parts;
+}
+
+// The narrow tetrahedra outside, by connected parts in rising order of size.
+std::vector<ManifoldLabels::Move> ManifoldLabels::plugs(double radius) const {
+  const auto small = [&](Index t) { return !inside_[t] && narrow(t, radius); };
+  std::vector<char> met(mesh_.size(), 0);
+  std::vector<Move> parts;
+  for (std::size_t s = 0; s < mesh_.size(); ++s) {
+    if (met[s] || !small(static_cast<Index>(s))) continue;
+    met[s] = 1;
+    Move part{static_cast<Index>(s)};
+    std::size_t beside_outside = 0;
+    for (std::size_t i = 0; i < part.size(); ++i)
+      for (Index u : mesh_.tets.neighbours[part[i]]) {
+        if (met[u]) continue;
+        if (small(u)) {
+          met[u] = 1, part.push_back(u);
+        } else {
+          beside_outside += !inside_[u];
+        }
+      }
+    // A plug has two caps.
+    if (beside_outside >= 2 && part.size() <= kLargestPlug) parts.push_back(std::move(part));
+  }
+  return smallest_first(std::move(parts));
 }
 
 // Is one label in several pieces around tetrahedra that were relabelled? All of it that is there is grown at
@@ -255,6 +292,11 @@ double ManifoldLabels::roughness(const std::vector<Vec3>& sites) const {
 }
 
 void ManifoldLabels::fill_gaps(const std::vector<Vec3>& sites) {
+  name_pieces();
+  for (const double radius : kPlugRadii)
+    if (!spent()) fill_all(plugs(radius), 0, {kTunnelWorth, kTearWorth});
+  for (const double radius : kCapRadii)
+    if (!spent()) fill_all(caps(sites, radius), 0, {kTunnelWorth, kTearWorth, 0, true});
   name_pieces();
   const double rough = roughness(sites);
   const Terms tunnel{kTunnelWorth, 0, (1 - rough) * kTunnelSize, true},

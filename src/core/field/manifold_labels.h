@@ -164,7 +164,12 @@ class ManifoldLabels {
   bool narrow(Index t, double radius) const;
   bool narrow_facet(const std::vector<Vec3>& sites, Index t, int k, double radius) const;
   static std::vector<Move> smallest_first(std::vector<Move> parts);
+  std::vector<Move> plugs(double radius) const;
   std::vector<Move> bars(const std::vector<Vec3>& sites, double radius);
+  std::vector<Index> narrow_facets(const std::vector<Vec3>& sites, double radius) const;
+  std::vector<std::vector<Index>> closing_parts(const std::vector<Index>& facets);
+  bool dent(const Move& side, const std::vector<Index>& cap);
+  std::vector<Move> caps(const std::vector<Vec3>& sites, double radius);
   std::vector<char> shards(const std::vector<Vec3>& sites, char label);
   std::vector<Move> ways(const std::vector<Vec3>& sites, double radius, char label);
   std::vector<Move> threads(const std::vector<char>& aim, char label);

@@ -4,7 +4,6 @@
 #include <cstddef>
 
 #include "manifold_labels.h"
-#include "triangle_circle.h"
 
 namespace filmsticking {
 namespace {
@@ -18,14 +17,6 @@ constexpr double kMouthWorth = 3, kCavityWorth = 0.5;
 constexpr std::size_t kLargestBar = 3000;
 
 }  // namespace
-
-// Has a facet of finite corners a circumcircle of less than this radius, in the largest spacing of these?
-bool ManifoldLabels::narrow_facet(const std::vector<Vec3>& sites, Index t, int k, double radius) const {
-  const auto& c = mesh_.tets.corners[t];
-  const Index i = c[kFacet[k][0]], j = c[kFacet[k][1]], l = c[kFacet[k][2]];
-  const double widest = radius * std::max({geometry_.spacing[i], geometry_.spacing[j], geometry_.spacing[l]});
-  return circumradius2(sites[i], sites[j], sites[l]) < widest * widest;
-}
 
 // Parts of the inside connected through wide facets that lie between pieces of the outside, in rising order
 // of size.
