@@ -15,6 +15,8 @@ constexpr double kAnyPrice = 1e100;
 // Tetrahedra behind a thread of a dent, not of a tunnel; where there are more, that is asked later as well.
 constexpr std::size_t kDent = 200;
 
+// A larger part fills no chance gap.
+constexpr std::size_t kLargestDisc = 1000;
 // The share of its neighbours' variance off the plane fitted to them from which a site's normal says nothing.
 constexpr double kUnsure = 0.1;
 // By how much the squared cosines between the normals at a disc and its axis, a third on average for any
@@ -124,9 +126,8 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::discs(const std::vector<Vec3>&
   counts_before.visits = counts_.visits;
   counts_ = counts_before;
   name_pieces();
-  moves.erase(
-      std::remove_if(moves.begin(), moves.end(), [&](const Move& move) { return lined(sites, move); }),
-      moves.end());
+  const auto wrong = [&](const Move& move) { return move.size() > kLargestDisc || lined(sites, move); };
+  moves.erase(std::remove_if(moves.begin(), moves.end(), wrong), moves.end());
   return moves;
 }
 
