@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ManifoldLabels: tunnels through walls that no samples line, and walls that are torn.
+// ManifoldLabels: tunnels that no samples line, walls and limbs that are torn, and chance bridges.
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
@@ -16,21 +16,15 @@ constexpr double kPlugRadii[] = {1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
 // The same of a facet of a cap. Wide tetrahedra have narrow facets where one side of a wall has a large gap
 // and samples of the other fill half of it.
 constexpr double kCapRadii[] = {0.5, 0.75, 1};
+// The same of tetrahedra of ways between pieces, of those outside that discs may fill a tunnel with, and of
+// those inside that may be a bridge: what is inside of a wall is as narrow.
+constexpr double kWayRadii[] = {1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4}, kTunnelRadii[] = {1, 1.5, 2, 3},
+                 kBridgeRadii[] = {1, 1.5};
 // A larger plug fills no chance gap.
 constexpr std::size_t kLargestPlug = 3000;
-// The same of what is narrow for discs: outside, and inside for bridges, as what is inside of a wall is as
-// narrow.
-constexpr double kTunnelRadii[] = {1, 1.5, 2, 3}, kBridgeRadii[] = {1, 1.5};
-// Circumradii of ways between pieces.
-constexpr double kWayRadii[] = {1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
-// What filling a tunnel is worth, in sites off the surface. A plug has two caps, which the votes are against
-// where the tunnel is real, and takes a wall away, which they are for then: that costs more. And how much
-// less it is worth for each tetrahedron of a disc where the surface is smooth: chance gaps are small then,
-// those in noise not.
-constexpr double kTunnelWorth = 3, kTunnelSize = 0.05;
-// What a piece less is worth. Two parts may lie close to each other, so this is little: in a tear the votes
-// are for a plug, or hardly against it.
-constexpr double kTearWorth = 0.5;
+// How much less filling a tunnel is worth for each tetrahedron of a disc where the surface is smooth: chance
+// gaps are small then, those in noise are not.
+constexpr double kTunnelSize = 0.05;
 // What cutting a bridge is worth and what joining a shard is, and how much more on a rough surface: of noise,
 // where evidence is weak. There is no chance bridge between smooth surfaces, and two parts may lie close to
 // each other.
@@ -169,7 +163,7 @@ void ManifoldLabels::unite_around(const Move& part) {
 // else changes nothing.
 void ManifoldLabels::fill(const Move& plug, const Terms& terms) {
   const auto worth = [&](int handles, int pieces) {
-    return handles < 0 || pieces < 0 ? 0 : (terms.tunnel * handles + terms.tear * pieces) * site_cost_;
+    return (terms.tunnel * handles + terms.tear * pieces) * site_cost_;
   };
   const Effect alone = effect(plug);
   if (!terms.relax && alone.surplus == 0 && pieces_around(plug) <= 2 &&
@@ -227,8 +221,9 @@ void ManifoldLabels::fill(const Move& plug, const Terms& terms) {
     // Components of the surface are pieces of both labels less one; handles, components less half of the
     // Euler characteristic.
     const int pieces = pieces_around(changed) - present[0] - present[1], handles = euler / 2 + pieces;
-    if (terms.relax && handles + pieces > 0 && cost >= worth(handles, pieces)) come_to_rest();
-    if (handles + pieces > 0 && cost < worth(handles, pieces)) {
+    const bool mends = handles >= 0 && pieces >= 0 && handles + pieces > 0;
+    if (mends && terms.relax && cost >= worth(handles, pieces)) come_to_rest();
+    if (mends && cost < worth(handles, pieces)) {
       unite_around(changed);
       counts_.tunnels += handles > 0;
       counts_.tears += pieces > 0;
@@ -260,7 +255,8 @@ std::int64_t ManifoldLabels::name_pieces() {
   return pieces_;
 }
 
-// Of the surface, with its sheets at singular places taken apart.
+// Of the surface, with its sheets at singular places taken apart. One that goes through infinity may have
+// fewer.
 std::int64_t ManifoldLabels::handles() const {
   std::int64_t euler2 = 0;  // twice the Euler characteristic: V - F / 2, with three edges for two facets
   for (const Census& c : census_)

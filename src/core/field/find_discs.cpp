@@ -64,6 +64,8 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::threads(const std::vector<char
   for (std::size_t s = 0; s < mesh_.size(); ++s) {
     const Index t = static_cast<Index>(s);
     if (inside_[t] != label || aim[t] == label) continue;
+    cancel_();
+    if (spent()) return {};
     for (int k = 0; k < 4; ++k) {
       const auto& f = kFacet[k];
       if (inside_[mesh_.tets.neighbours[t][k]] != label || mesh_.tets.infinite(mesh_.tets.neighbours[t][k]) ||
@@ -109,14 +111,17 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::discs(const std::vector<Vec3>&
   std::vector<char> aim = inside_;
   for (std::size_t s = 0; s < mesh_.size(); ++s)
     if (aim[s] == label && !mesh_.flat[s] && narrow(static_cast<Index>(s), radius)) aim[s] = !label;
-  for (std::int64_t last = -1; counts_.tunnels > last;) {  // ends: each is a handle less
+  std::int64_t last = -1;
+  // What is cut off from the rest by more than a dent counts as well, but all work does.
+  while (counts_.tunnels > last && !spent()) {
     last = counts_.tunnels;
+    counts_.visits += static_cast<std::int64_t>(mesh_.size());
     warp(aim);
     name_pieces();
     fill_all(threads(aim, label), label, {kAnyPrice, 0, 0, false, kDent});
   }
   std::vector<Move> moves;
-  if (counts_.tunnels > counts_before.tunnels) {
+  if (counts_.tunnels > counts_before.tunnels && !spent()) {
     warp(before);
     moves = parts_changed(before);
   }

@@ -14,6 +14,8 @@ namespace {
 // A piece with less volume than this for each of its sites, in cubes of their spacing, is a shard: it is
 // thinner than a tube of two spacings' radius, which would be torn where samples are random.
 constexpr double kShard = 1;
+// A longer way joins no shard.
+constexpr Index kLongest = 100;
 // Ways that are tried between the same two pieces.
 constexpr int kWays = 3;
 
@@ -70,7 +72,7 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::ways(const std::vector<Vec3>& 
   std::vector<Way> met;
   const auto meet = [&](Index t, Index other, Index u, Index length) {
     const Index own = step[t].from;
-    if (own != other && (shard[own] || shard[other]))
+    if (own != other && length <= kLongest && (shard[own] || shard[other]))
       met.push_back({std::min(own, other), std::max(own, other), length, t, u});
   };
   for (std::size_t i = 0; i < queue.size(); ++i) {  // ends: each is met once

@@ -33,10 +33,10 @@ struct LabelCounts {
   std::int64_t erosions = 0;
   /// Tetrahedra relabelled towards `aim`: each leaves one difference from it less.
   std::int64_t warped = 0;
-  /// Discs that left fewer handles. With the tears they are no more than the handles and the pieces that went, as
+  /// Plugs, caps and discs that left fewer handles. With the tears they are no more than the handles and the pieces that went, as
   /// none is taken that adds as many of one as it takes of the other.
   std::int64_t tunnels = 0;
-  /// Ways, and bars taken away, that left fewer pieces: no more than pieces went, as none adds any.
+  /// Plugs, caps and ways, and bars taken away, that left fewer pieces: no more than pieces went, as none adds any.
   std::int64_t tears = 0;
   /// Folds and pinches that went: no more than eight for each flat tetrahedron.
   std::int64_t unfolded = 0;
@@ -58,7 +58,8 @@ struct LabelCounts {
 ///    of them. So all there is to keep is local;
 ///  - it does not cut itself, being part of a triangulation of space, but where tetrahedra are flat;
 ///  - it ends: the repair lowers the number of surplus pieces or else takes from the inside; the warp lowers
-///    the number of differences, unfolding takes a few turns; the reach lowers the cost; each plug is tried once;
+///    the number of differences, unfolding takes a few turns; the reach lowers the cost; each plug is tried once
+///    for each radius;
 ///  - the work is bounded: after 10,000 visits of tetrahedra for each site, far more than a surface takes, all
 ///    that is optional is left out, and what is inside is taken away around the sites that are singular still.
 class ManifoldLabels {
@@ -88,11 +89,13 @@ class ManifoldLabels {
   /// directions).
   void reach();
 
-  /// Mends what chance and noise have broken, where that costs less than it is worth. Shards, torn off and thinner
-  /// than any part that samples resolve, are joined by the shortest way through what is narrow. Tunnels that no
-  /// samples line, where both sides of a thin wall have a gap at the same place, are filled by a disc, and bridges
-  /// between sides that noise has brought together are cut by one. A move is taken if it leaves fewer handles or
-  /// fewer pieces, and not more of either. `sites` are the corners of the tetrahedra.
+  /// Mends what chance and noise have broken, where that costs less than it is worth: where samples are random, both
+  /// sides of a thin wall have a gap at the same place now and then, which leaves a tunnel that no samples line; a
+  /// wall thinner than the spacing may be torn all along a valley, and a thin limb across; and noise builds bridges
+  /// between sides that are near. What is tried: plugs, connected parts of what is outside and as narrow as a gap;
+  /// what lies on caps, connected facets that are, where both sides are wide; the shortest ways from shards, thinner
+  /// than any part that samples resolve, to other pieces; and discs across tunnels and bridges. One is taken if it
+  /// leaves fewer handles or fewer pieces, and not more of either. `sites` are the corners of the tetrahedra.
   void fill_gaps(const std::vector<Vec3>& sites);
 
   /// Takes away what bars the way into a cavity, where that costs less than a piece less is worth: in a mouth
@@ -126,6 +129,13 @@ class ManifoldLabels {
     bool relax = false;
     std::size_t look = std::numeric_limits<std::size_t>::max();
   };
+
+  // What filling a tunnel is worth, in sites off the surface. A plug has two caps, which the votes are against
+  // where the tunnel is real, and takes a wall away, which they are for then: that costs more.
+  static constexpr double kTunnelWorth = 3;
+  // What a piece less is worth. Two parts may lie close to each other, so this is little: in a tear the votes
+  // are for a plug, or hardly against it.
+  static constexpr double kTearWorth = 0.5;
 
   int corner(Index t, Index v) const {
     const auto& c = mesh_.tets.corners[t];

@@ -11,8 +11,6 @@ namespace {
 // Circumradii, in the largest spacing of the corners, from which facets are taken to span a mouth and not to
 // line it, the widest first: facets between random samples of a surface have up to two.
 constexpr double kBarRadii[] = {3, 2.5, 2, 1.75, 1.5, 1.25, 1};
-// What a handle or a piece less is worth, in sites off the surface.
-constexpr double kMouthWorth = 3, kCavityWorth = 0.5;
 // A larger part of the inside bars no narrow mouth.
 constexpr std::size_t kLargestBar = 3000;
 
@@ -49,7 +47,7 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::bars(const std::vector<Vec3>& 
 void ManifoldLabels::open_cavities(const std::vector<Vec3>& sites) {
   if (name_pieces() < 3) return;
   for (const double radius : kBarRadii)
-    if (!spent()) fill_all(bars(sites, radius), 1, {kMouthWorth, kCavityWorth, 0, true});
+    if (!spent()) fill_all(bars(sites, radius), 1, {kTunnelWorth, kTearWorth, 0, true});
 }
 
 }  // namespace filmsticking
