@@ -423,6 +423,23 @@ TEST(ManifoldLabels, Regression_AStarMayBeLongerThanTheListByAPiece) {
   }
 }
 
+// Of random labels of these points, `between` the repair and the gaps: a manifold, and no more work than the
+// bound.
+template <class Between>
+LabelCounts expect_bounded_work(const std::vector<Point>& points, const Between& between) {
+  const Setting s(points);
+  const LabelCosts costs = costs_of(s);
+  std::vector<char> inside = random_labels(s.mesh, 1);
+  ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
+  manifold.repair();
+  EXPECT_TRUE(euler_if_manifold(s, inside));
+  between(s, manifold);
+  manifold.fill_gaps(s.set.perturbed);
+  EXPECT_TRUE(euler_if_manifold(s, inside));
+  EXPECT_LE(manifold.counts().visits, 11000 * static_cast<std::int64_t>(points.size()));
+  return manifold.counts();
+}
+
 // On a moment curve: the repair took the fourth power of the sites, minutes for 2,000.
 TEST(ManifoldLabels, Regression_OfSitesThatAreAllNeighboursTheWorkIsBounded) {
   std::vector<Point> points;
@@ -430,18 +447,11 @@ TEST(ManifoldLabels, Regression_OfSitesThatAreAllNeighboursTheWorkIsBounded) {
     const double x = i / 150.0 - 1;
     points.push_back({x, x * x, x * x * x});
   }
-  const Setting s(points);
-  const LabelCosts costs = costs_of(s);
-  std::vector<char> inside = random_labels(s.mesh, 1);
-  ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
-  manifold.repair();
-  EXPECT_TRUE(euler_if_manifold(s, inside));
-  manifold.warp(random_labels(s.mesh, 2));
-  manifold.reach();
-  manifold.fill_gaps(s.set.perturbed);
-  EXPECT_TRUE(euler_if_manifold(s, inside));
-  EXPECT_GT(manifold.counts().stripped, 0);  // the bound was met
-  EXPECT_LE(manifold.counts().visits, 11000 * static_cast<std::int64_t>(points.size()));
+  const LabelCounts counts = expect_bounded_work(points, [](const Setting& s, ManifoldLabels& manifold) {
+    manifold.warp(random_labels(s.mesh, 2));
+    manifold.reach();
+  });
+  EXPECT_GT(counts.stripped, 0);  // the bound was met
 }
 
 // The tetrahedra around one edge are as many as the sites; the search for threads walked around it for each
@@ -451,15 +461,7 @@ TEST(ManifoldLabels, Regression_TheSearchForThreadsIsBounded) {
   const int n = 4000;
   for (int i = 0; i < n; ++i) points.push_back({std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n), 0});
   for (const Point& p : test::torus(300, 1, 0.1, 0.04)) points.push_back({p[0] + 3, p[1], p[2]});
-  const Setting s(points);
-  const LabelCosts costs = costs_of(s);
-  std::vector<char> inside = random_labels(s.mesh, 1);
-  ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
-  manifold.repair();
-  EXPECT_TRUE(euler_if_manifold(s, inside));
-  manifold.fill_gaps(s.set.perturbed);
-  EXPECT_TRUE(euler_if_manifold(s, inside));
-  EXPECT_LE(manifold.counts().visits, 11000 * static_cast<std::int64_t>(points.size()));
+  expect_bounded_work(points, [](const Setting&, ManifoldLabels&) {});
 }
 
 // Of an open surface, sites may be singular and infinite tetrahedra inside: these stay so, and nothing fails.

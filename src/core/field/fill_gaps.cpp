@@ -269,7 +269,7 @@ std::int64_t ManifoldLabels::handles() const {
 
 // How rough the surface is: 0 for a smooth one, 1 for one of noise.
 double ManifoldLabels::roughness(const std::vector<Vec3>& sites) const {
-  std::vector<Corners> facets = tetrahedral_boundary(mesh_, inside_);
+  const std::vector<Corners> facets = tetrahedral_boundary(mesh_, inside_);
   std::vector<Vec3> normal(facets.size()), mean(sites.size(), Vec3::Zero());
   for (std::size_t i = 0; i < facets.size(); ++i) {
     const Vec3& o = sites[facets[i][0]];
@@ -294,6 +294,7 @@ void ManifoldLabels::fill_gaps(const std::vector<Vec3>& sites) {
   for (const double radius : kCapRadii)
     if (!spent()) fill_all(caps(sites, radius), 0, {kTunnelWorth, kTearWorth, 0, true});
   name_pieces();
+  if (pieces_ <= 2 && handles() == 0) return;
   const double rough = roughness(sites);
   const Terms tunnel{kTunnelWorth, 0, (1 - rough) * kTunnelSize, true},
       bridge{kBridgeWorth + rough * kBridgeWorthRough, 0, 0, true},

@@ -14,7 +14,6 @@ namespace {
 constexpr double kAnyPrice = 1e100;
 // Tetrahedra behind a thread of a dent, not of a tunnel; where there are more, that is asked later as well.
 constexpr std::size_t kDent = 200;
-
 // A larger part fills no chance gap.
 constexpr std::size_t kLargestDisc = 1000;
 // The share of its neighbours' variance off the plane fitted to them from which a site's normal says nothing.
@@ -55,11 +54,6 @@ bool ManifoldLabels::lined(const std::vector<Vec3>& sites, const Move& disc) con
 // The narrow tetrahedra of a label at which what is left of it is as wide as one facet: with all three edges
 // on the surface.
 std::vector<ManifoldLabels::Move> ManifoldLabels::threads(const std::vector<char>& aim, char label) {
-  const auto at_surface = [&](Index t, int a, int b) {
-    bool met = false;
-    around_edge(t, a, b, [&](Index u) { return !(met = inside_[u] != label); });
-    return met;
-  };
   std::vector<Move> moves;
   for (std::size_t s = 0; s < mesh_.size(); ++s) {
     const Index t = static_cast<Index>(s);
@@ -68,8 +62,10 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::threads(const std::vector<char
     if (spent()) return {};
     for (int k = 0; k < 4; ++k) {
       const auto& f = kFacet[k];
-      if (inside_[mesh_.tets.neighbours[t][k]] != label || mesh_.tets.infinite(mesh_.tets.neighbours[t][k]) ||
-          !at_surface(t, f[0], f[1]) || !at_surface(t, f[1], f[2]) || !at_surface(t, f[2], f[0]))
+      const Index u =
+          mesh_.tets.neighbours[t][k];  // of this label, so that an edge is at the surface if mixed
+      if (inside_[u] != label || mesh_.tets.infinite(u) || !mixed(t, f[0], f[1]) || !mixed(t, f[1], f[2]) ||
+          !mixed(t, f[2], f[0]))
         continue;
       moves.push_back({t});
       break;

@@ -33,10 +33,11 @@ struct LabelCounts {
   std::int64_t erosions = 0;
   /// Tetrahedra relabelled towards `aim`: each leaves one difference from it less.
   std::int64_t warped = 0;
-  /// Plugs, caps and discs that left fewer handles. With the tears they are no more than the handles and the pieces that went, as
-  /// none is taken that adds as many of one as it takes of the other.
+  /// Plugs, caps and discs that left fewer handles. With the tears they are no more than the handles and the
+  /// pieces that went, as none is taken that adds any of either.
   std::int64_t tunnels = 0;
-  /// Plugs, caps and ways, and bars taken away, that left fewer pieces: no more than pieces went, as none adds any.
+  /// Plugs, caps and ways, and bars taken away, that left fewer pieces: no more than pieces went, as none adds
+  /// any.
   std::int64_t tears = 0;
   /// Folds and pinches that went: no more than eight for each flat tetrahedron.
   std::int64_t unfolded = 0;
