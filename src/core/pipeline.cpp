@@ -87,8 +87,9 @@ constexpr double kMostComplex = 0.015;
 
 // Two sides are those of a plain open surface if they have no more than these: sites off their first cut, and
 // components and handles, by sites; and neighbours that face opposite ways, by those of the first surface, where
-// that has no inside and where it may have one.
-constexpr double kPlainWeak = 0.02, kPlainComplex = 0.01, kPlainConflict = 0.75, kFarLessConflict = 0.25;
+// that has no inside and where it may have one. And closed, if no less of the area is a lid.
+constexpr double kPlainWeak = 0.02, kPlainComplex = 0.01, kPlainConflict = 0.75, kFarLessConflict = 0.25,
+                 kLid = 0.2;
 
 // Is there a film, and are all its vertices sites?
 bool of_sites(const GuidingSurface& film) {
@@ -252,14 +253,18 @@ GuidingSurface Pipeline::film_of(const std::vector<char>& labels) const {
 }
 
 // For the candidate that was chosen, not before: its handles tell a bad one.
-Pipeline::Candidate Pipeline::without_gaps(Candidate candidate) {
+Pipeline::Candidate Pipeline::without_gaps(Candidate candidate, bool thin) {
   if (candidate.labels.empty()) return candidate;
   monitor_.enter("gaps", monitor_.share());
   const LabelCosts costs{evidence_.cost, std::move(candidate.hold), off_prices()};
   ManifoldLabels manifold(mesh_, geometry_, costs, candidate.labels, monitor_.cancel());
   manifold.repair(exempt(candidate.labels));  // it takes the census
-  manifold.fill_gaps(sites_.perturbed);
-  manifold.open_cavities(sites_.perturbed);
+  if (thin) {
+    manifold.fill_gaps(sites_.perturbed);
+    manifold.open_cavities(sites_.perturbed);
+  } else {
+    manifold.fill_plugs();
+  }
   manifold.unfold();
   if (options_.insert_leftover) manifold.reach();
   candidate.inserted += manifold.counts().reached;
@@ -348,8 +353,10 @@ Pipeline::Candidate Pipeline::refined(Candidate best) {
     Candidate next =
         judged(cut(signed_field(mesh_, evidence_, std::move(guess), monitor_.cancel()), kConviction));
     const double given_up = static_cast<double>(next.quality.off - best.quality.off);
-    if (!(next.score() < best.score()) || next.quality.complexity > best.quality.complexity ||
-        given_up > kGivenUp * static_cast<double>(sites_.size()))
+    if (!(next.score() < best.score()) || given_up > kGivenUp * static_cast<double>(sites_.size())) break;
+    // Chance gaps are no leaks, but filled they would hold on to what is wrong beside them: so only for this.
+    if (next.quality.complexity > best.quality.complexity &&
+        without_gaps(next).quality.complexity > without_gaps(best).quality.complexity)
       break;
     best = std::move(next);
   }
@@ -386,22 +393,24 @@ Pipeline::Candidate Pipeline::cut_two_sides() {
 Pipeline::Candidate Pipeline::carve() {
   monitor_.enter("signed field", 0.25);
   Candidate best = cut(signed_field(mesh_, evidence_, std::move(guess_), monitor_.cancel()), kConviction);
-  if (best.weak <= kLittleTrouble && !best.film.triangles.empty()) return best;
   best = judged(std::move(best));
+  if (best.weak <= kLittleTrouble && !best.film.triangles.empty())
+    return best.quality.complexity > 1 ? without_gaps(std::move(best), false) : best;
   bool two_sided = false;  // with its normals there still is no inside
   if (best.weak > kSomeTrouble) {
     Candidate sides = cut_two_sides();
     const double complexity =
         static_cast<double>(sides.quality.complexity) / static_cast<double>(sites_.size());
     // A plain open surface: nothing else can be better, and all else takes long there. Closed, it has faces
-    // that nothing supports, and so a bad score; but what is closed and thin instead winds between its sides,
-    // where neighbours face both ways.
+    // that nothing supports, and so a bad score; but what is closed and thin instead has none, and winds between
+    // its sides, where neighbours face both ways.
     const bool no_inside = best.weak > kNoInside;
     const bool better = sides.score() < (no_inside ? 1 : kMuchBetter) * best.score();
     const bool best_open = options_.open_boundary && sides.weak <= kLittleTrouble &&
                            complexity <= kLittleTrouble && better;
+    const bool open = options_.open_boundary ? sides.score() < best.score() : sides.quality.bridging > kLid;
     const bool plain =
-        sides.weak <= kPlainWeak && complexity <= kPlainComplex &&
+        open && sides.weak <= kPlainWeak && complexity <= kPlainComplex &&
         sides.quality.conflict < (no_inside ? kPlainConflict : kFarLessConflict) * best.quality.conflict;
     if (best_open || plain) return options_.open_boundary ? std::move(sides) : without_gaps(std::move(sides));
     if (complexity <= kMostComplex && better) best = std::move(sides), two_sided = true;

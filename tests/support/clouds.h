@@ -45,6 +45,13 @@ inline std::vector<Point> sphere(int n, std::uint64_t seed, Point centre = {0, 0
   return points;
 }
 
+// An ellipsoid: no five of its points are on a sphere, so its tetrahedra are well away from flat.
+inline std::vector<Point> ellipsoid(int n, std::uint64_t seed, double x0) {
+  std::vector<Point> points = sphere(n, seed);
+  for (Point& p : points) p = {x0 + p[0], 0.8 * p[1], 0.6 * p[2]};
+  return points;
+}
+
 /// Area-uniform on a torus around z.
 inline std::vector<Point> torus(int n, std::uint64_t seed, double big = 1, double small = 0.4) {
   Random random(seed);

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "delaunay.h"
+#include "field/facet_evidence.h"
 #include "field/manifold_labels.h"
 #include "field/surface_sheets.h"
 #include "film.h"
 #include "site_set.h"
+#include "support/clouds.h"
 #include "triangle_adjacency.h"
 
 namespace filmsticking::test {
@@ -49,6 +51,40 @@ inline std::optional<std::int64_t> euler_if_manifold(const FieldSetting& s, cons
   const Index vertices = static_cast<Index>(film.positions.size());
   if (!film.triangles.empty() && !check_manifold(film.triangles, vertices).ok()) return {};
   return vertices - static_cast<std::int64_t>(film.triangles.size()) / 2;
+}
+
+// Labels as bad as they come: each tetrahedron at random.
+inline std::vector<char> random_labels(const TetrahedralMesh& mesh, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<char> inside(mesh.size());
+  for (std::size_t t = 0; t < inside.size(); ++t)
+    inside[t] = !mesh.tets.infinite(static_cast<Index>(t)) && random.below(2);
+  return inside;
+}
+
+// Inside are tetrahedra whose centres are `in` a shape.
+template <class In>
+std::vector<char> labels_where(const FieldSetting& s, const In& in) {
+  std::vector<char> inside(s.mesh.size(), 0);
+  for (std::size_t t = 0; t < inside.size(); ++t)
+    if (!s.mesh.tets.infinite(static_cast<Index>(t))) inside[t] = in(s.set.to_input(s.centre(t)));
+  return inside;
+}
+
+struct Topology {
+  std::int64_t components = 0, handles = 0;
+};
+
+// Of a surface that is a closed manifold.
+inline Topology topology(const FieldSetting& s, const std::vector<char>& inside) {
+  const GuidingSurface film = film_of(s, inside);
+  const Index vertices = static_cast<Index>(film.positions.size());
+  std::vector<Index> twin, component;
+  Topology result;
+  if (film.triangles.empty() || !check_manifold(film.triangles, vertices, &twin).ok()) return result;
+  result.components = connected_components(twin, component);
+  result.handles = result.components - (vertices - static_cast<std::int64_t>(film.triangles.size()) / 2) / 2;
+  return result;
 }
 
 }  // namespace filmsticking::test

@@ -25,6 +25,9 @@ constexpr std::size_t kLargestPlug = 3000;
 // How much less filling a tunnel is worth for each tetrahedron of a disc where the surface is smooth: chance
 // gaps are small then, those in noise are not.
 constexpr double kTunnelSize = 0.05;
+// How much more it is worth for every sample around it that shows a gap: the more there are, the wider is the
+// gap, and the more its disc costs.
+constexpr double kGapWorth = 0.6;
 // What cutting a bridge is worth and what joining a shard is, and how much more on a rough surface: of noise,
 // where evidence is weak. There is no chance bridge between smooth surfaces, and two parts may lie close to
 // each other.
@@ -56,8 +59,9 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::smallest_first(std::vector<Mov
   return parts;
 }
 
-// The narrow tetrahedra outside, by connected parts in rising order of size.
-std::vector<ManifoldLabels::Move> ManifoldLabels::plugs(double radius) const {
+// The narrow tetrahedra outside, by connected parts in rising order of size; but for those that are narrow by
+// an earlier radius.
+std::vector<ManifoldLabels::Move> ManifoldLabels::plugs(double radius, double earlier) const {
   const auto small = [&](Index t) { return !inside_[t] && narrow(t, radius); };
   std::vector<char> met(mesh_.size(), 0);
   std::vector<Move> parts;
@@ -66,7 +70,9 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::plugs(double radius) const {
     met[s] = 1;
     Move part{static_cast<Index>(s)};
     std::size_t beside_outside = 0;
-    for (std::size_t i = 0; i < part.size(); ++i)
+    bool seen = true;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      seen = seen && narrow(part[i], earlier);
       for (Index u : mesh_.tets.neighbours[part[i]]) {
         if (met[u]) continue;
         if (small(u)) {
@@ -75,8 +81,9 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::plugs(double radius) const {
           beside_outside += !inside_[u];
         }
       }
+    }
     // A plug has two caps.
-    if (beside_outside >= 2 && part.size() <= kLargestPlug) parts.push_back(std::move(part));
+    if (!seen && beside_outside >= 2 && part.size() <= kLargestPlug) parts.push_back(std::move(part));
   }
   return smallest_first(std::move(parts));
 }
@@ -287,10 +294,18 @@ double ManifoldLabels::roughness(const std::vector<Vec3>& sites) const {
   return std::clamp((1 - *middle) / kRough, 0.0, 1.0);
 }
 
-void ManifoldLabels::fill_gaps(const std::vector<Vec3>& sites) {
+void ManifoldLabels::fill_plugs() {
   name_pieces();
-  for (const double radius : kPlugRadii)
-    if (!spent()) fill_all(plugs(radius), 0, {kTunnelWorth, kTearWorth});
+  double earlier = 0;
+  for (const double radius : kPlugRadii) {
+    if (spent()) return;
+    fill_all(plugs(radius, earlier), 0, {kTunnelWorth, kTearWorth});
+    earlier = radius;
+  }
+}
+
+void ManifoldLabels::fill_gaps(const std::vector<Vec3>& sites) {
+  fill_plugs();
   for (const double radius : kCapRadii)
     if (!spent()) fill_all(caps(sites, radius), 0, {kTunnelWorth, kTearWorth, 0, true});
   name_pieces();
@@ -306,7 +321,11 @@ void ManifoldLabels::fill_gaps(const std::vector<Vec3>& sites) {
   };
   const auto close = [&](double radius, char label) {
     if (handles() == 0 || spent()) return;
-    fill_all(discs(sites, radius, label), label, label ? bridge : tunnel);
+    for (const Move& disc : discs(sites, radius, label)) {
+      Terms terms = label ? bridge : tunnel;
+      if (!label) terms.tunnel += (1 - rough) * kGapWorth * std::max(0.0, -lining(sites, disc));
+      fill_all({disc}, label, terms);
+    }
     name_pieces();
   };
   for (const char label : {char{0}, char{1}})

@@ -18,15 +18,16 @@ constexpr std::size_t kDent = 200;
 constexpr std::size_t kLargestDisc = 1000;
 // The share of its neighbours' variance off the plane fitted to them from which a site's normal says nothing.
 constexpr double kUnsure = 0.1;
-// By how much the squared cosines between the normals at a disc and its axis, a third on average for any
-// normals, are less in sum where samples line a tunnel. They are more around a chance gap.
+// The lining from which samples line a tunnel.
 constexpr double kLined = 0.3;
 
 }  // namespace
 
-// Do samples line the tunnel that a disc is across, or the bar that it is through? Their normals are across
-// its axis then; around a chance gap in a wall they are along it. The normals in noise say neither.
-bool ManifoldLabels::lined(const std::vector<Vec3>& sites, const Move& disc) const {
+// How far samples line the tunnel that a disc is across, or the bar that it is through. Their normals are
+// across its axis then; around a chance gap in a wall they are along it, and this is negative. It is the sum,
+// over the samples at the disc, of a third less the squared cosine between normal and axis: that is a third
+// on average for any normals. The normals in noise say nothing.
+double ManifoldLabels::lining(const std::vector<Vec3>& sites, const Move& disc) const {
   Eigen::Matrix3d ahead = Eigen::Matrix3d::Zero();
   std::vector<Index> around;
   for (Index t : disc) {
@@ -43,12 +44,12 @@ bool ManifoldLabels::lined(const std::vector<Vec3>& sites, const Move& disc) con
   }
   const Vec3 axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(ahead).eigenvectors().col(2);
   unique_sorted(around);
-  double less = 0;
+  double lining = 0;
   for (Index v : around) {
     const double cosine = axis.dot(geometry_.normal[v]);
-    less += std::max(0.0, 1 - geometry_.variation[v] / kUnsure) * (1.0 / 3 - cosine * cosine);
+    lining += std::max(0.0, 1 - geometry_.variation[v] / kUnsure) * (1.0 / 3 - cosine * cosine);
   }
-  return less > kLined;
+  return lining;
 }
 
 // The narrow tetrahedra of a label at which what is left of it is as wide as one facet: with all three edges
@@ -127,7 +128,9 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::discs(const std::vector<Vec3>&
   counts_before.visits = counts_.visits;
   counts_ = counts_before;
   name_pieces();
-  const auto wrong = [&](const Move& move) { return move.size() > kLargestDisc || lined(sites, move); };
+  const auto wrong = [&](const Move& move) {
+    return move.size() > kLargestDisc || lining(sites, move) > kLined;
+  };
   moves.erase(std::remove_if(moves.begin(), moves.end(), wrong), moves.end());
   return moves;
 }

@@ -99,6 +99,9 @@ class ManifoldLabels {
   /// leaves fewer handles or fewer pieces, and not more of either. `sites` are the corners of the tetrahedra.
   void fill_gaps(const std::vector<Vec3>& sites);
 
+  /// The first of it: by plugs alone, which is quick.
+  void fill_plugs();
+
   /// Takes away what bars the way into a cavity, where that costs less than a piece less is worth: in a mouth
   /// of a few spacings all that is outside may be as narrow as a gap in one place. What is tried is connected
   /// parts of the inside, as wide as a mouth and no wall, between two pieces of the outside.
@@ -175,7 +178,7 @@ class ManifoldLabels {
   bool narrow(Index t, double radius) const;
   bool narrow_facet(const std::vector<Vec3>& sites, Index t, int k, double radius) const;
   static std::vector<Move> smallest_first(std::vector<Move> parts);
-  std::vector<Move> plugs(double radius) const;
+  std::vector<Move> plugs(double radius, double earlier) const;
   std::vector<Move> bars(const std::vector<Vec3>& sites, double radius);
   std::vector<Index> narrow_facets(const std::vector<Vec3>& sites, double radius) const;
   std::vector<std::vector<Index>> closing_parts(const std::vector<Index>& facets);
@@ -185,7 +188,7 @@ class ManifoldLabels {
   std::vector<Move> ways(const std::vector<Vec3>& sites, double radius, char label);
   std::vector<Move> threads(const std::vector<char>& aim, char label);
   std::vector<Move> parts_changed(const std::vector<char>& before) const;
-  bool lined(const std::vector<Vec3>& sites, const Move& disc) const;
+  double lining(const std::vector<Vec3>& sites, const Move& disc) const;
   std::vector<Move> discs(const std::vector<Vec3>& sites, double radius, char label);
   bool parted(const Move& part, char label, std::size_t most);
   Index piece(Index t);
