@@ -24,9 +24,6 @@ constexpr double kFirstShare = 0.1;
 // does to the costs.
 constexpr char kMostReaches = 8;
 
-// Of larger moves the least cost is not worth its own price.
-constexpr std::size_t kFewMoves = 16;
-
 // In a larger star only whole pieces are moved: to try every tetrahedron takes the square of their number.
 constexpr std::size_t kWideStar = 400;
 
@@ -233,15 +230,12 @@ double ManifoldLabels::flip_cost(Index t) const {
 // are large. What a surplus piece costs goes in with `piece`.
 double ManifoldLabels::least_cost(const Move& move, double piece) {
   double cost = 0;
-  touched_.clear();
   for (Index t : move) {
     cost += flip_cost(t);
     inside_[t] = !inside_[t];
-    for (Index v : mesh_.tets.corners[t])
-      if (std::find(touched_.begin(), touched_.end(), v) == touched_.end()) touched_.push_back(v);
   }
   for (Index t : move) inside_[t] = !inside_[t];
-  for (Index v : touched_) cost -= piece * census_[v].surplus() + (census_[v].off() ? costs_.off[v] : 0);
+  for (Index v : sites_of(move)) cost -= piece * census_[v].surplus() + (census_[v].off() ? costs_.off[v] : 0);
   return cost;
 }
 
@@ -376,21 +370,28 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::moves_at(Index v, bool erode) 
   return moves;
 }
 
+// The best of them, the first of those that cost the same. They are looked at by what they cost at least, as few
+// need it then.
 ManifoldLabels::Move ManifoldLabels::best_move(Index v, bool erode) {
-  Move best;
-  double best_cost = std::numeric_limits<double>::infinity();
-  for (Move& move : moves_at(v, erode)) {
+  std::vector<Move> moves = moves_at(v, erode);
+  std::vector<std::pair<double, std::size_t>> least;
+  for (std::size_t i = 0; i < moves.size(); ++i)
+    if (allowed(moves[i])) least.push_back({least_cost(moves[i], site_cost_), i});
+  std::sort(least.begin(), least.end());
+  const std::size_t none = moves.size();
+  std::pair<double, std::size_t> best{std::numeric_limits<double>::infinity(), none};
+  for (const auto& [bound, i] : least) {
+    if (bound > best.first) break;
     if (spent()) return {};
-    if (!allowed(move) || (move.size() <= kFewMoves && least_cost(move, site_cost_) >= best_cost)) continue;
-    const Effect e = effect(move);
+    const Effect e = effect(moves[i]);
     double cost = e.cost + e.surplus * site_cost_;
     if (!erode) {
       if (e.surplus >= 0) continue;
       cost += std::max(0, -e.euler / 2) * kHandlePrice * site_cost_;
     }
-    if (cost < best_cost) best_cost = cost, best = std::move(move);
+    best = std::min(best, {cost, i});
   }
-  return best;
+  return best.second == none ? Move{} : std::move(moves[best.second]);
 }
 
 // Until no site of the list, or that became singular on the way, is singular. Those where nothing lowers the
