@@ -87,7 +87,8 @@ constexpr double kMostComplex = 0.015;
 
 // Two sides are those of a plain open surface if they have no more than these: sites off their first cut, and
 // components and handles, by sites; and neighbours that face opposite ways, by those of the first surface, where
-// that has no inside and where it may have one. And closed, if no less of the area is a lid.
+// that has no inside and where it may have one. A lid must be more of the area than the last, where the result is
+// closed; where it may be open, their score must be the better one.
 constexpr double kPlainWeak = 0.02, kPlainComplex = 0.01, kPlainConflict = 0.75, kFarLessConflict = 0.25,
                  kLid = 0.2;
 
@@ -252,18 +253,19 @@ GuidingSurface Pipeline::film_of(const std::vector<char>& labels) const {
   return film;
 }
 
-// For the candidate that was chosen, not before: its handles tell a bad one.
-Pipeline::Candidate Pipeline::without_gaps(Candidate candidate, bool thin) {
+// Of the candidate that was chosen: its handles tell a bad one. Leaves no `hold`.
+Pipeline::Candidate Pipeline::without_gaps(Candidate candidate, Mend mend) {
   if (candidate.labels.empty()) return candidate;
   monitor_.enter("gaps", monitor_.share());
   const LabelCosts costs{evidence_.cost, std::move(candidate.hold), off_prices()};
   ManifoldLabels manifold(mesh_, geometry_, costs, candidate.labels, monitor_.cancel());
   manifold.repair(exempt(candidate.labels));  // it takes the census
-  if (thin) {
+  if (mend == Mend::Plugs) {
+    manifold.fill_plugs();
+    if (manifold.counts().tunnels + manifold.counts().tears == 0) return candidate;
+  } else {
     manifold.fill_gaps(sites_.perturbed);
     manifold.open_cavities(sites_.perturbed);
-  } else {
-    manifold.fill_plugs();
   }
   manifold.unfold();
   if (options_.insert_leftover) manifold.reach();
@@ -336,8 +338,8 @@ bool Pipeline::settled(const Candidate& candidate) const {
 
 // Normals fitted to neighbourhoods are wrong where these reach across a thin wall or an edge; the film's own
 // are better there, once it is about right: with them as evidence, it is cut again. What comes of it counts
-// only if it is better by the measure that knows the fitted normals, is not more complex, for a new handle
-// may be a leak, and gives up hardly any sites.
+// only if it is better by the measure that knows the fitted normals, gives up hardly any sites, and is not more
+// complex, as it is or with the gaps of both filled: a new handle may be a leak.
 Pipeline::Candidate Pipeline::refined(Candidate best) {
   for (int round = 0; round < kRefinements && !best.labels.empty(); ++round) {
     monitor_.enter("local evidence", monitor_.share());
@@ -354,10 +356,12 @@ Pipeline::Candidate Pipeline::refined(Candidate best) {
         judged(cut(signed_field(mesh_, evidence_, std::move(guess), monitor_.cancel()), kConviction));
     const double given_up = static_cast<double>(next.quality.off - best.quality.off);
     if (!(next.score() < best.score()) || given_up > kGivenUp * static_cast<double>(sites_.size())) break;
-    // Chance gaps are no leaks, but filled they would hold on to what is wrong beside them: so only for this.
-    if (next.quality.complexity > best.quality.complexity &&
-        without_gaps(next).quality.complexity > without_gaps(best).quality.complexity)
-      break;
+    // A chance gap is no leak. They are filled in copies, to compare: a surface whose gaps are filled holds on to
+    // what is wrong beside them when it is cut again.
+    if (next.quality.complexity > best.quality.complexity) {
+      const std::int64_t filled = without_gaps(next).quality.complexity;
+      if (filled > 1 && filled > without_gaps(best).quality.complexity) break;
+    }
     best = std::move(next);
   }
   return best;
@@ -394,8 +398,11 @@ Pipeline::Candidate Pipeline::carve() {
   monitor_.enter("signed field", 0.25);
   Candidate best = cut(signed_field(mesh_, evidence_, std::move(guess_), monitor_.cancel()), kConviction);
   best = judged(std::move(best));
-  if (best.weak <= kLittleTrouble && !best.film.triangles.empty())
-    return best.quality.complexity > 1 ? without_gaps(std::move(best), false) : best;
+  if (best.weak <= kLittleTrouble && !best.film.triangles.empty()) {
+    // With a handle or a second part it may have walls, if no thin ones.
+    if (best.quality.complexity > 1) best = without_gaps(std::move(best), Mend::Plugs);
+    return best;
+  }
   bool two_sided = false;  // with its normals there still is no inside
   if (best.weak > kSomeTrouble) {
     Candidate sides = cut_two_sides();

@@ -50,7 +50,9 @@ class Pipeline {
   Candidate finish(GuidingSurface film);
   Candidate cut(const std::vector<double>& belief, double conviction, bool open = false);
   Candidate cut_two_sides();
-  Candidate without_gaps(Candidate candidate, bool thin = true);
+  // By plugs alone, which is quick, or by all that may help.
+  enum class Mend { Plugs, All };
+  Candidate without_gaps(Candidate candidate, Mend mend = Mend::All);
   GuidingSurface film_of(const std::vector<char>& labels) const;
   std::vector<char> exempt(const std::vector<char>& labels) const;
   std::vector<double> off_prices() const;

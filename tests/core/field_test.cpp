@@ -4,11 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "delaunay.h"
 #include "field/carve.h"
-#include "field/label_islands.h"
 #include "field/manifold_labels.h"
 #include "field/minimum_cut.h"
 #include "field/poisson.h"
@@ -18,10 +15,8 @@
 #include "field/winding_number.h"
 #include "film.h"
 #include "film_quality.h"
-#include "site_set.h"
 #include "support/clouds.h"
 #include "support/field_setting.h"
-#include "triangle_adjacency.h"
 
 namespace filmsticking {
 namespace {

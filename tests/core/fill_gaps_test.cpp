@@ -2,7 +2,6 @@
 // ManifoldLabels: gaps and cavities.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "field/manifold_labels.h"

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "field/label_islands.h"
@@ -106,6 +107,10 @@ TEST(ManifoldLabels, AreAManifoldInEveryRoomForAnyLabels) {
     manifold.reach();
     EXPECT_TRUE(euler_if_manifold(s, inside)) << seed;
     const test::Topology before = test::topology(s, inside);
+    manifold.fill_plugs();
+    ASSERT_TRUE(euler_if_manifold(s, inside)) << seed;
+    EXPECT_LE(test::topology(s, inside).handles, before.handles) << seed;
+    EXPECT_LE(test::topology(s, inside).components, before.components) << seed;
     manifold.fill_gaps(s.set.perturbed);
     ASSERT_TRUE(euler_if_manifold(s, inside)) << seed;
     const test::Topology after = test::topology(s, inside);

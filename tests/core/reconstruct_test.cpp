@@ -207,7 +207,7 @@ TEST(Reconstruct, Regression_AWallThatIsNotThinHasNoTunnelsEither) {
   }
 }
 
-// Neither of its sides is without the other, and between them is no lid.
+// It was taken for the two sides of an open surface, with handles; and with open_boundary, with holes.
 TEST(Reconstruct, Regression_AThinPlateIsNoOpenSurface) {
   for (const std::uint64_t seed : {10, 12, 14})
     for (const bool open : {false, true}) {
@@ -291,12 +291,12 @@ TEST(Reconstruct, FindsTheTopology) {
   }
 }
 
-// Of a bottle with a wall of two spacings and a neck: up outside, down inside.
+// Of a bottle with a wall of 0.08 and a mouth of 0.22: up outside, down inside.
 const std::vector<std::array<double, 2>> kBottle = {{0, -1},       {0.6, -1},   {0.6, 0.3},   {0.19, 0.7},
                                                     {0.19, 1.4},   {0.11, 1.4}, {0.11, 0.65}, {0.52, 0.25},
                                                     {0.52, -0.92}, {0, -0.92}};
 
-// The second cut is right but for chance gaps, and was refused for these.
+// A wall of a spacing. The second cut is right but for chance gaps, and was refused for these.
 TEST(Reconstruct, Regression_ChanceGapsAreNoReasonAgainstASurface) {
   const Result result = reconstruct(test::revolved(3000, 5, kBottle));
   ASSERT_EQ(result.status, Status::Ok);

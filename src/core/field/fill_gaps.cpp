@@ -25,8 +25,8 @@ constexpr std::size_t kLargestPlug = 3000;
 // How much less filling a tunnel is worth for each tetrahedron of a disc where the surface is smooth: chance
 // gaps are small then, those in noise are not.
 constexpr double kTunnelSize = 0.05;
-// How much more it is worth for every sample around it that shows a gap: the more there are, the wider is the
-// gap, and the more its disc costs.
+// How much more, for each unit of lining less than none, as far as the surface is smooth: a sample that shows
+// a gap is two thirds of one. The more there are, the wider is the gap, and the more its disc costs.
 constexpr double kGapWorth = 0.6;
 // What cutting a bridge is worth and what joining a shard is, and how much more on a rough surface: of noise,
 // where evidence is weak. There is no chance bridge between smooth surfaces, and two parts may lie close to
@@ -59,8 +59,8 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::smallest_first(std::vector<Mov
   return parts;
 }
 
-// The narrow tetrahedra outside, by connected parts in rising order of size; but for those that are narrow by
-// an earlier radius.
+// The narrow tetrahedra outside, by connected parts in rising order of size; but for parts that are narrow
+// all over by an earlier radius, which have been met.
 std::vector<ManifoldLabels::Move> ManifoldLabels::plugs(double radius, double earlier) const {
   const auto small = [&](Index t) { return !inside_[t] && narrow(t, radius); };
   std::vector<char> met(mesh_.size(), 0);
@@ -321,10 +321,10 @@ void ManifoldLabels::fill_gaps(const std::vector<Vec3>& sites) {
   };
   const auto close = [&](double radius, char label) {
     if (handles() == 0 || spent()) return;
-    for (const Move& disc : discs(sites, radius, label)) {
+    for (const Disc& disc : discs(sites, radius, label)) {
       Terms terms = label ? bridge : tunnel;
-      if (!label) terms.tunnel += (1 - rough) * kGapWorth * std::max(0.0, -lining(sites, disc));
-      fill_all({disc}, label, terms);
+      if (!label) terms.tunnel += (1 - rough) * kGapWorth * std::max(0.0, -disc.lining);
+      fill_all({disc.part}, label, terms);
     }
     name_pieces();
   };

@@ -42,6 +42,7 @@ double ManifoldLabels::lining(const std::vector<Vec3>& sites, const Move& disc) 
       if (n.norm() > 0) ahead += n * n.transpose() / n.norm();
     }
   }
+  if (ahead.isZero()) return 0;
   const Vec3 axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(ahead).eigenvectors().col(2);
   unique_sorted(around);
   double lining = 0;
@@ -99,7 +100,7 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::parts_changed(const std::vecto
 // that is without a change of topology; what is left of a tunnel then is a thread, which is cut; and all that
 // can goes back without a change of topology, but for a disc across each tunnel. Leaves the labels as they
 // are.
-std::vector<ManifoldLabels::Move> ManifoldLabels::discs(const std::vector<Vec3>& sites, double radius,
+std::vector<ManifoldLabels::Disc> ManifoldLabels::discs(const std::vector<Vec3>& sites, double radius,
                                                         char label) {
   const std::vector<char> before = inside_;
   const std::vector<Census> census_before = census_;
@@ -128,11 +129,13 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::discs(const std::vector<Vec3>&
   counts_before.visits = counts_.visits;
   counts_ = counts_before;
   name_pieces();
-  const auto wrong = [&](const Move& move) {
-    return move.size() > kLargestDisc || lining(sites, move) > kLined;
-  };
-  moves.erase(std::remove_if(moves.begin(), moves.end(), wrong), moves.end());
-  return moves;
+  std::vector<Disc> discs;
+  for (Move& move : moves) {
+    if (move.size() > kLargestDisc) continue;
+    const double lined = lining(sites, move);
+    if (lined <= kLined) discs.push_back({std::move(move), lined});
+  }
+  return discs;
 }
 
 }  // namespace filmsticking
