@@ -267,7 +267,7 @@ std::int64_t ManifoldLabels::name_pieces() {
 std::int64_t ManifoldLabels::handles() const {
   std::int64_t euler2 = 0;  // twice the Euler characteristic: V - F / 2, with three edges for two facets
   for (const Census& c : census_)
-    if (!c.off()) euler2 += 2 * c.sheets();
+    if (!c.off()) euler2 += 2 * std::int64_t{c.sheets()};
   for (std::size_t t = 0; t < mesh_.size(); ++t)
     if (inside_[t])
       for (Index u : mesh_.tets.neighbours[t]) euler2 -= !inside_[u];
