@@ -253,7 +253,8 @@ GuidingSurface Pipeline::film_of(const std::vector<char>& labels) const {
   return film;
 }
 
-// Of the candidate that was chosen: its handles tell a bad one. Leaves no `hold`.
+// Of the candidate that was chosen, as its handles tell a bad one; or of copies of two, to compare them. Leaves
+// no `hold`.
 Pipeline::Candidate Pipeline::without_gaps(Candidate candidate, Mend mend) {
   if (candidate.labels.empty()) return candidate;
   monitor_.enter("gaps", monitor_.share());

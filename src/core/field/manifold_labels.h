@@ -50,7 +50,7 @@ struct LabelCounts {
   std::int64_t visits = 0;
 };
 
-/// Relabels tetrahedra so that the surface between inside and outside is a 2-manifold, in some rooms.
+/// Relabels tetrahedra so that the surface between inside and outside is a 2-manifold, room by room.
 ///
 /// Guarantees, whatever the labels and costs:
 ///  - the surface is closed and a manifold. It is one exactly if at every site those tetrahedra of its star
