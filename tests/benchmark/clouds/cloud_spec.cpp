@@ -18,6 +18,8 @@ const char* name_of(Sampling sampling) {
       return "vertices";
     case Sampling::DepthView:
       return "depth-view";
+    case Sampling::DepthFrame:
+      return "depth-frame";
   }
   return "monte-carlo";
 }
@@ -25,7 +27,7 @@ const char* name_of(Sampling sampling) {
 Sampling sampling_of(const std::string& name) {
   std::string names;
   for (const Sampling s : {Sampling::MonteCarlo, Sampling::PoissonDisk, Sampling::MixedDensity,
-                           Sampling::Vertices, Sampling::DepthView}) {
+                           Sampling::Vertices, Sampling::DepthView, Sampling::DepthFrame}) {
     if (name == name_of(s)) return s;
     names += std::string(names.empty() ? "" : ", ") + name_of(s);
   }

@@ -12,6 +12,7 @@ enum class Sampling {
   MixedDensity,  ///< blue noise, Monte Carlo and sparse regular in thirds
   Vertices,      ///< the vertices of the mesh itself, all of them
   DepthView,     ///< the pixels of a depth camera that looks from one side
+  DepthFrame,    ///< the same in the camera's frame: it is at the origin and looks along z
 };
 
 /// The name on the command line; never null.
@@ -19,6 +20,11 @@ const char* name_of(Sampling sampling);
 
 /// Throws std::invalid_argument, whose what() tells the names that there are.
 Sampling sampling_of(const std::string& name);
+
+/// Is it of what a depth camera sees?
+inline bool is_depth(Sampling sampling) {
+  return sampling == Sampling::DepthView || sampling == Sampling::DepthFrame;
+}
 
 /// Gaussian, along each axis.
 struct Noise {

@@ -73,6 +73,15 @@ class DepthCamera {
     return hits;
   }
 
+  Eigen::Isometry3d frame() const {
+    Eigen::Matrix3d axes;
+    axes << right_, -up_, ahead_;
+    Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+    frame.linear() = axes.transpose();
+    frame.translation() = -(axes.transpose() * eye_);
+    return frame;
+  }
+
   bool sees(const Vec3& p) const {
     const std::optional<Sample> hit = first_hit(p - eye_);
     return !hit || (hit->position - eye_).norm() >= (1 - kBehind) * (p - eye_).norm();
@@ -112,6 +121,10 @@ std::vector<Sample> sample_depth_view(const Mesh& mesh, std::size_t count, std::
   random.shuffle(hits);
   hits.resize(count);
   return hits;
+}
+
+Eigen::Isometry3d depth_camera_frame(const Mesh& mesh, std::uint64_t seed) {
+  return DepthCamera(mesh, seed).frame();
 }
 
 Mesh visible_part(const Mesh& mesh, std::uint64_t seed, double size) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,9 @@ namespace filmsticking::bench {
 /// chooses. `count` points: the pixels are as large as they can be for so many, and what is too many then is
 /// left out at random. Throws std::invalid_argument for a mesh that no ray meets.
 std::vector<Sample> sample_depth_view(const Mesh& mesh, std::size_t count, std::uint64_t seed);
+
+/// From the mesh's frame to that of the camera, which is at the origin and looks along z.
+Eigen::Isometry3d depth_camera_frame(const Mesh& mesh, std::uint64_t seed);
 
 /// The part of the mesh that the same camera sees, in pieces of at most `size` across, longer where they are thin,
 /// that are seen whole or not at all.

@@ -26,7 +26,7 @@ void check(const CloudSpec& spec) {
     throw std::invalid_argument("the missing surface is a share from 0 to 0.9");
   if (spec.sampling == Sampling::Vertices && spec.outliers + spec.missing > 0)
     throw std::invalid_argument("a mesh's vertices come without outliers and with nothing missing");
-  if (spec.sampling == Sampling::DepthView && spec.missing > 0)
+  if (is_depth(spec.sampling) && spec.missing > 0)
     throw std::invalid_argument("what a depth view does not see is missing, and nothing else");
 }
 
@@ -65,9 +65,14 @@ Point rounded(const Vec3& p) { return {rounded(p.x()), rounded(p.y()), rounded(p
 }  // namespace
 
 Mesh sampled_part(const Mesh& mesh, const CloudSpec& spec) {
-  if (spec.sampling != Sampling::DepthView) return mesh;
+  if (!is_depth(spec.sampling)) return mesh;
   const double spacing = std::sqrt(SurfaceSampler(mesh).area() / static_cast<double>(spec.points));
-  return visible_part(mesh, spec.seed, spacing);
+  Mesh part = visible_part(mesh, spec.seed, spacing);
+  if (spec.sampling == Sampling::DepthFrame) {
+    const Eigen::Isometry3d frame = depth_camera_frame(mesh, spec.seed);
+    for (Point& p : part.positions) Eigen::Map<Vec3>(p.data()) = frame * Vec3(p[0], p[1], p[2]);
+  }
+  return part;
 }
 
 std::vector<Point> make_cloud(const Mesh& mesh, const CloudSpec& spec) {
@@ -80,14 +85,16 @@ std::vector<Point> make_cloud(const Mesh& mesh, const CloudSpec& spec) {
   std::vector<Sample> samples;
   if (spec.sampling == Sampling::Vertices) {
     samples = vertex_samples(mesh);
-  } else if (spec.sampling == Sampling::DepthView) {
+  } else if (is_depth(spec.sampling)) {
     samples = sample_depth_view(mesh, wanted, spec.seed);
   } else if (wanted > 0) {
     samples = draw_samples(surface, spec.sampling, wanted, random);
   }
   const std::size_t total = samples.size() + outliers;
 
-  const bool whole = spec.sampling != Sampling::DepthView;
+  const bool whole = !is_depth(spec.sampling);
+  Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+  if (spec.sampling == Sampling::DepthFrame) frame = depth_camera_frame(mesh, spec.seed);
   double sigma = spec.noise.deviation * surface.diagonal();
   if (sigma > 0 && spec.noise.in_spacings) {
     const double area = whole ? surface.area() : SurfaceSampler(sampled_part(mesh, spec)).area();
@@ -96,7 +103,7 @@ std::vector<Point> make_cloud(const Mesh& mesh, const CloudSpec& spec) {
   const auto placed = [&](Vec3 p) {
     if (sigma > 0)
       for (int k = 0; k < 3; ++k) p[k] += sigma * random.gauss();
-    return rounded(p);
+    return rounded(frame * p);
   };
   std::vector<Point> points;
   points.reserve(total);
@@ -112,7 +119,7 @@ std::vector<Point> make_cloud(const Mesh& mesh, const CloudSpec& spec) {
     Vec3 p;
     for (int k = 0; k < 3; ++k)
       p[k] = surface.low()[k] + random.uniform() * (surface.high()[k] - surface.low()[k]);
-    points.push_back(rounded(p));
+    points.push_back(rounded(frame * p));
   }
   random.shuffle(points);
   return points;

@@ -61,7 +61,7 @@ CloudFiles prepare_cloud(const Input& input, const CloudSpec& spec, bool thin_cl
     } else {
       const Mesh mesh{model.positions, model.triangles};
       files.truth = input.path;
-      if (input.path.empty() || spec.sampling == Sampling::DepthView) {
+      if (input.path.empty() || is_depth(spec.sampling)) {
         files.truth = folder + "/truth.ply";
         const Mesh truth = sampled_part(mesh, spec);
         io::write_model(files.truth, {truth.positions, {}, truth.triangles});
