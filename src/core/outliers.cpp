@@ -2,10 +2,10 @@
 #include "outliers.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 #include <vector>
 
+#include "nearest.h"
 #include "parallel.h"
 
 namespace filmsticking {
@@ -18,83 +18,103 @@ constexpr double kLonely = 1.8, kNotFlat = 0.03, kAside = 2;
 // both take three fifths to nine tenths, the rest being near the surface.
 constexpr double kFarOff = 4, kScattered = 0.08;
 
-std::vector<char> outliers(const SiteGeometry& geometry) {
-  std::vector<double> sorted = geometry.spacing;
+/// The sites that are left, and what their neighbourhoods tell. All keep their numbers.
+struct Rest {
+  std::vector<char> left;
+  std::size_t size;
+  SiteGeometry geometry;
+};
+
+std::vector<Index> outliers(const Rest& rest) {
+  std::vector<double> sorted;
+  sorted.reserve(rest.size);
+  for (std::size_t i = 0; i < rest.left.size(); ++i)
+    if (rest.left[i]) sorted.push_back(rest.geometry.spacing[i]);
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
   const double typical = *middle;
-  std::vector<char> out(geometry.spacing.size());
+  std::vector<char> out(rest.left.size());
   parallel_each(out.size(), [&](std::size_t i) {
+    if (!rest.left[i]) return;
+    const SiteGeometry& geometry = rest.geometry;
     const double spacing = geometry.spacing[i], variation = geometry.variation[i];
     out[i] = (variation > kScattered && spacing > kFarOff * typical) ||
              ((variation > kNotFlat || geometry.offset[i] > kAside) &&
               spacing > kLonely * near_spacing(geometry, static_cast<Index>(i)));
   });
-  return out;
+  std::vector<Index> ids;
+  for (std::size_t i = 0; i < out.size(); ++i)
+    if (out[i]) ids.push_back(static_cast<Index>(i));
+  return ids;
 }
 
-// What was taken out, so that it can be put back without a copy of all.
-struct TakenOut {
-  struct Site {
-    Index before;  // its number among all
-    Vec3 perturbed;
-    std::int32_t input;
+// The nearest that are left, the site itself first.
+std::vector<Index> nearest_left(const PointTree& tree, const Vec3& place, const Rest& rest) {
+  const std::size_t wanted = std::min(kNeighbours + 1, rest.size);
+  for (std::size_t asked = 2 * wanted;; asked *= 2) {  // ends: at the latest when it is all
+    std::vector<Index> near = tree.nearest(place, asked);
+    near.erase(std::remove_if(near.begin(), near.end(), [&](Index i) { return !rest.left[i]; }), near.end());
+    if (near.size() < wanted) continue;
+    near.resize(wanted);
+    return near;
+  }
+}
+
+// Takes sites out, and describes those anew that had one of them among their neighbours.
+void take_out(const std::vector<Index>& out, const std::vector<Vec3>& places, const PointTree& tree,
+              Rest& rest) {
+  const bool all_near = rest.size <= kNeighbours + 1;  // each is a neighbour of all
+  std::vector<Vec3> gone;
+  for (const Index i : out) rest.left[i] = 0, gone.push_back(places[i]);
+  rest.size -= out.size();
+  const PointTree gone_tree(gone);
+  parallel_each(places.size(), [&](std::size_t i) {
+    if (!rest.left[i]) return;
+    double distance2 = 0;
+    gone_tree.nearest(places[i], &distance2);
+    const double radius = neighbour_radius(rest.geometry, static_cast<Index>(i)) * (1 + 1e-9);
+    if (!all_near && distance2 > radius * radius) return;
+    describe_site(rest.geometry, places, static_cast<Index>(i), nearest_left(tree, places[i], rest));
+  });
+}
+
+// Takes the places of those that are gone.
+void close_ranks(const Rest& rest, SiteSet& sites, SiteGeometry& geometry) {
+  std::vector<Index> number(rest.left.size(), kNone);
+  Index kept = 0;
+  for (std::size_t i = 0; i < number.size(); ++i)
+    if (rest.left[i]) number[i] = kept++;
+  const auto close = [&](auto& list) {
+    for (std::size_t i = 0; i < number.size(); ++i)
+      if (number[i] != kNone) list[number[i]] = list[i];
+    list.resize(kept);
   };
-  std::vector<Site> sites;
-  std::vector<Index> before;  // of those left
-};
-
-void take_out(const std::vector<char>& out, SiteSet& sites, TakenOut& taken) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    if (out[i]) {
-      taken.sites.push_back({taken.before[i], sites.perturbed[i], sites.input[i]});
-      continue;
-    }
-    taken.before[kept] = taken.before[i];
-    sites.perturbed[kept] = sites.perturbed[i];
-    sites.input[kept++] = sites.input[i];
-  }
-  taken.before.resize(kept);
-  sites.perturbed.resize(kept);
-  sites.input.resize(kept);
-}
-
-void put_back(const TakenOut& taken, SiteSet& sites) {
-  const std::size_t all = sites.size() + taken.sites.size();
-  sites.perturbed.resize(all);
-  sites.input.resize(all);
-  for (std::size_t i = taken.before.size(); i-- > 0;) {  // from behind: none goes to a lower place
-    sites.perturbed[taken.before[i]] = sites.perturbed[i];
-    sites.input[taken.before[i]] = sites.input[i];
-  }
-  for (const TakenOut::Site& site : taken.sites) {
-    sites.perturbed[site.before] = site.perturbed;
-    sites.input[site.before] = site.input;
-  }
+  close(sites.perturbed), close(sites.input);
+  close(geometry.spacing), close(geometry.near), close(geometry.normal), close(geometry.variation);
+  close(geometry.offset);
+  for (auto& near : geometry.near)
+    for (Index& i : near)
+      if (i != kNone) i = number[i];
 }
 
 }  // namespace
 
 std::int64_t drop_outliers(SiteSet& sites, const PointsView& points, SiteGeometry& geometry) {
-  std::vector<char> out = outliers(geometry);
-  if (std::count(out.begin(), out.end(), 1) == 0) return 0;
   const std::size_t all = sites.size();
-  TakenOut taken;
-  taken.before.resize(all);
-  std::iota(taken.before.begin(), taken.before.end(), 0);
-  SiteGeometry rest_geometry;
-  do {  // ends: every turn leaves fewer
-    take_out(out, sites, taken);
-    if (3 * sites.size() < 2 * all || sites.size() < 4 || sites.coplanar(points)) {
-      put_back(taken, sites);
-      return 0;
-    }
-    rest_geometry = site_geometry(sites.perturbed);
-    out = outliers(rest_geometry);
-  } while (std::count(out.begin(), out.end(), 1) > 0);
-  geometry = std::move(rest_geometry);
-  return static_cast<std::int64_t>(taken.sites.size());
+  Rest rest{std::vector<char>(all, 1), all, geometry};
+  std::vector<Index> out = outliers(rest);
+  if (out.empty()) return 0;
+  const PointTree tree(sites.perturbed);
+  for (; !out.empty(); out = outliers(rest)) {  // ends: every turn leaves fewer
+    if (3 * (rest.size - out.size()) < 2 * all || rest.size - out.size() < 4) return 0;
+    take_out(out, sites.perturbed, tree, rest);
+  }
+  SiteSet left = sites;
+  close_ranks(rest, left, rest.geometry);
+  if (left.coplanar(points)) return 0;
+  sites = std::move(left);
+  geometry = std::move(rest.geometry);
+  return static_cast<std::int64_t>(all - sites.size());
 }
 
 }  // namespace filmsticking

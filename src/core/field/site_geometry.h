@@ -17,8 +17,17 @@ struct SiteGeometry {
   std::vector<double> offset;     ///< from the neighbours' mean, in their own distance from it (rms)
 };
 
-/// From the `k` nearest sites of each.
-SiteGeometry site_geometry(const std::vector<Vec3>& sites, std::size_t k = 12);
+/// Neighbours of a site, where there are so many.
+constexpr std::size_t kNeighbours = 12;
+
+/// From the nearest sites of each.
+SiteGeometry site_geometry(const std::vector<Vec3>& sites);
+
+/// Describes one site by its `near`est, itself first.
+void describe_site(SiteGeometry& geometry, const std::vector<Vec3>& sites, Index site, const std::vector<Index>& near);
+
+/// How far the farthest neighbour of a site is that has kNeighbours.
+double neighbour_radius(const SiteGeometry& geometry, Index site);
 
 /// The median of the spacings of a site's neighbours: unlike its own, small for a lone site near a surface.
 double near_spacing(const SiteGeometry& geometry, Index site);
