@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "filmsticking/export.h"
 #include "filmsticking/types.h"
@@ -53,16 +54,24 @@ struct Options {
   bool insert_leftover = true;
 
   /// Leave out the faces that no data supports (see Result::gaps): the result is a manifold with boundary
-  /// then, the visible surface of a scan from one side, say. A cloud from all sides stays closed. Pieces with a
-  /// boundary face one viewpoint, where there is one: from its convex side.
+  /// then, the visible surface of a scan from one side, say. A cloud from all sides stays closed. Pieces with
+  /// a boundary face one viewpoint, where there is one: from its convex side.
   bool open_boundary = false;
+
+  /// Where the points may have been seen from, in their own unit and frame: a sensor's place. With
+  /// `open_boundary`, a depth image (every point alone on its line of sight, apart from the others as pixels
+  /// are) gives the surface that shows all its faces to its viewpoint. Mostly the points themselves say where
+  /// that is; where they do not, this is tried. Of points that are no depth image from there, it changes
+  /// nothing.
+  std::optional<Point> viewpoint;
 
   /// Bring on outliers, too: points far from all others that are no part of a surface. They are left off
   /// otherwise.
   bool keep_outliers = false;
 
-  /// Flip edges of the finished surface where that lays them along the shape's sharp edges and the bends of its
-  /// curved parts. Vertices, topology and what intersects stay as they are; a noisy surface stays nearly so.
+  /// Flip edges of the finished surface where that lays them along the shape's sharp edges and the bends of
+  /// its curved parts. Vertices, topology and what intersects stay as they are; a noisy surface stays nearly
+  /// so.
   bool sharp_edges = true;
 
   /// Film steps allowed in one evolution of the film before the first field; at least 1.
@@ -75,16 +84,17 @@ struct Options {
   /// Threads; 0: all that the machine has. The result is the same for every number.
   int threads = 0;
 
-  /// Bytes that a reconstruction may take, beside the points handed in; 0: no limit. What it needs is estimated
-  /// (from above, for a carved surface) before it is taken; one that needs more ends with Status::OutOfMemory.
+  /// Bytes that a reconstruction may take, beside the points handed in; 0: no limit. What it needs is
+  /// estimated (from above, for a carved surface) before it is taken; one that needs more ends with
+  /// Status::OutOfMemory.
   std::int64_t max_memory = 0;
 
   /// A closed oriented 2-manifold, for InitialSurface::Given.
   std::shared_ptr<const Mesh> guiding_surface;
 
   /// The paper's pipeline: sphere, 1000 virtual sites, weights, one Poisson round, nothing inserted, no edge
-  /// flipped. One thing differs: the virtual sites join at the first stall, since from the start they pull the film
-  /// through the shape.
+  /// flipped. One thing differs: the virtual sites join at the first stall, since from the start they pull
+  /// the film through the shape.
   FILMSTICKING_EXPORT static Options paper();
 };
 

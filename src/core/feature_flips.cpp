@@ -29,13 +29,16 @@ constexpr float kUsual = 0.25F;
 // Most flips are made in the first rounds. They end by themselves, since every flip lowers a sum; but there
 // are films on which only one flip a round could be made.
 constexpr int kRounds = 40;
+// The sine of the angle between a face and its line of sight up to which it counts as seen edge-on.
+constexpr double kEdgeOn = 1e-3;
 constexpr std::size_t kChunk = 1024;
 
 class FeatureFlips {
  public:
-  FeatureFlips(GuidingSurface& film, std::vector<Index>& twins)
+  FeatureFlips(GuidingSurface& film, std::vector<Index>& twins, const Vec3* viewpoint)
       : film_(film),
         twin_(twins),
+        viewpoint_(viewpoint),
         normal_(film.triangles.size()),
         gain_(twin_.size()),
         swept_by_(film.triangles.size()),
@@ -148,12 +151,18 @@ class FeatureFlips {
     }
     if (before <= needed) return 0;
     const Normal at_a = normal(a, d, c), at_b = normal(b, c, d);
-    if (at_a.isZero(0) || at_b.isZero(0)) return 0;
+    if (at_a.isZero(0) || at_b.isZero(0) || !shows_front(at_a, a) || !shows_front(at_b, b)) return 0;
     float after = cd * bend(at_a, at_b);
     for (int k = 0; k < 4; ++k)
       if (twin_[side[k]] != kNone)
         after += len[k] * bend(k == 0 || k == 3 ? at_b : at_a, normal_[twin_[side[k]] / 3]);
     return before - after > needed ? before - after : 0;
+  }
+
+  bool shows_front(const Normal& normal, Index corner) const {
+    if (viewpoint_ == nullptr) return true;
+    const Vec3 ray = *viewpoint_ - film_.positions[corner];
+    return normal.cast<double>().dot(ray) > kEdgeOn * ray.norm();
   }
 
   std::vector<Index> first_candidates() {
@@ -347,6 +356,7 @@ class FeatureFlips {
 
   GuidingSurface& film_;
   std::vector<Index>& twin_;
+  const Vec3* viewpoint_;
   UnsetVector<Normal> normal_;   // of every face
   UnsetVector<float> rough_;     // of every vertex: the bend that is usual around there
   UnsetVector<float> gain_;      // of every edge, at its half-edge of the lower number; 0: it is no candidate
@@ -357,8 +367,9 @@ class FeatureFlips {
 
 }  // namespace
 
-std::int64_t flip_to_features(GuidingSurface& film, std::vector<Index>& twins, const Cancel& cancel) {
-  return FeatureFlips(film, twins).run(cancel);
+std::int64_t flip_to_features(GuidingSurface& film, std::vector<Index>& twins, const Cancel& cancel,
+                              const Vec3* viewpoint) {
+  return FeatureFlips(film, twins, viewpoint).run(cancel);
 }
 
 }  // namespace filmsticking

@@ -77,8 +77,7 @@ Fans find_fans(const GuidingSurface& film) {
 }
 
 // Which faces are no bridges.
-std::vector<char> supported(const GuidingSurface& film, const SiteGeometry& geometry) {
-  const std::vector<float> gaps = face_gaps(film, geometry);
+std::vector<char> supported(const GuidingSurface& film, const std::vector<float>& gaps) {
   const std::vector<Index> twin = half_edge_twins(film.triangles, static_cast<Index>(film.positions.size()));
   std::vector<char> keep(film.triangles.size(), 1);
   std::vector<Index> removed;
@@ -109,7 +108,7 @@ bool is_narrow(const GuidingSurface& film, const Corners& face, const SiteGeomet
 std::vector<char> manifold_without_bridges(const std::vector<Corners>& triangles,
                                            const std::vector<Vec3>& sites, const SiteGeometry& geometry) {
   GuidingSurface film = film_of_sites(triangles, sites);
-  film = film_of_sites(sites_of(film, supported(film, geometry)), sites);
+  film = film_of_sites(sites_of(film, supported(film, face_gaps(film, geometry))), sites);
   const Fans fans = find_fans(film);
   std::vector<char> clean(sites.size(), 0);
   for (std::size_t v = 0; v < film.site.size(); ++v) clean[film.site[v]] = fans.single[v];
@@ -130,7 +129,11 @@ void keep_faces(GuidingSurface& film, std::vector<char> keep, const SiteGeometry
 }
 
 void remove_bridges(GuidingSurface& film, const SiteGeometry& geometry) {
-  keep_faces(film, supported(film, geometry), geometry);
+  remove_bridges(film, face_gaps(film, geometry), geometry);
+}
+
+void remove_bridges(GuidingSurface& film, const std::vector<float>& gaps, const SiteGeometry& geometry) {
+  keep_faces(film, supported(film, gaps), geometry);
 }
 
 }  // namespace filmsticking

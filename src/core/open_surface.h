@@ -29,4 +29,7 @@ void keep_faces(GuidingSurface& film, std::vector<char> keep, const SiteGeometry
 /// that have one above a high one; and what keep_faces() takes then.
 void remove_bridges(GuidingSurface& film, const SiteGeometry& geometry);
 
+/// The same with other gaps, one a face.
+void remove_bridges(GuidingSurface& film, const std::vector<float>& gaps, const SiteGeometry& geometry);
+
 }  // namespace filmsticking

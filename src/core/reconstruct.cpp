@@ -11,6 +11,7 @@
 
 #include "cap_faces.h"
 #include "delaunay.h"
+#include "depth_image.h"
 #include "feature_flips.h"
 #include "meeting_faces.h"
 #include "monitor.h"
@@ -182,16 +183,28 @@ void run(const PointsView& points, const Options& options, const Execution& exec
   monitor.enter("triangulation", 0.02);
   SiteGeometry geometry = site_geometry(sites.perturbed);
   if (!options.keep_outliers) report.outliers = drop_outliers(sites, points, geometry);
-  Tetrahedra tetrahedra;
-  try {
-    tetrahedra = delaunay_tetrahedra(sites.perturbed, limits);
-  } catch (const TooManyTetrahedra&) {
-    const auto no = refusal(report.points, report.sites, limits.tetrahedra, options.max_memory);
-    return fail(result, no->first, no->second);
-  }
-
   Pipeline pipeline(sites, geometry, options, monitor, report);
-  GuidingSurface film = pipeline.run(std::move(tetrahedra));
+  GuidingSurface film;
+  std::optional<Vec3> viewpoint;  // of a depth image
+  if (options.open_boundary) {
+    monitor.enter("depth image", monitor.share());
+    std::vector<Vec3> places(sites.size());
+    parallel_each(places.size(), [&](std::size_t s) { places[s] = sites.exact(points, s); });
+    std::optional<Vec3> guess;
+    if (options.viewpoint) guess = sites.to_unit(*options.viewpoint);
+    viewpoint = depth_image_viewpoint(places, geometry, guess);
+    if (viewpoint) film = depth_image_surface(places, *viewpoint, geometry, monitor.cancel());
+  }
+  if (!viewpoint) {
+    Tetrahedra tetrahedra;
+    try {
+      tetrahedra = delaunay_tetrahedra(sites.perturbed, limits);
+    } catch (const TooManyTetrahedra&) {
+      const auto no = refusal(report.points, report.sites, limits.tetrahedra, options.max_memory);
+      return fail(result, no->first, no->second);
+    }
+    film = pipeline.run(std::move(tetrahedra));
+  }
   std::optional<SurfaceTopology> topology;
   const auto orient = [&] {
     topology.emplace(film.triangles, static_cast<Index>(film.positions.size()));
@@ -204,18 +217,18 @@ void run(const PointsView& points, const Options& options, const Execution& exec
     };
     changed(remove_cap_faces(film, topology->twin));
     if (options.open_boundary && !topology->check.closed) {
-      changed(remove_meeting_faces(film, geometry, monitor.cancel()));
+      if (!viewpoint) changed(remove_meeting_faces(film, geometry, monitor.cancel()));
       changed(fill_pinholes(film, topology->twin, geometry));
     }
     if (options.sharp_edges) {
       monitor.enter("sharp edges", monitor.share());
-      report.flips = flip_to_features(film, topology->twin, monitor.cancel());
+      report.flips = flip_to_features(film, topology->twin, monitor.cancel(), viewpoint ? &*viewpoint : nullptr);
       topology->check = check_manifold_with_twins(film.triangles, static_cast<Index>(film.site.size()), topology->twin);
     }
     if (!topology->check.manifold()) return true;
     std::vector<std::int32_t> ids(film.site.size());
     parallel_each(ids.size(), [&](std::size_t v) { ids[v] = sites.input[film.site[v]]; });
-    if (options.open_boundary) face_viewpoint(film, *topology, monitor.cancel());
+    if (options.open_boundary && !viewpoint) face_viewpoint(film, *topology, monitor.cancel());
     return orient_components(film, points.at(ids), *topology);
   };
   bool oriented = orient();

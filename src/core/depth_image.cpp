@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "depth_image.h"
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "film.h"
+#include "nearest.h"
+#include "open_surface.h"
+#include "parallel.h"
+#include "raster_viewpoint.h"
+#include "triangle_adjacency.h"
+
+namespace filmsticking {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point2 = Kernel::Point_2;
+
+// The cosine of the widest angle from the middle of an image to its pixels. From the middle of a shape all of
+// it is seen once as well.
+constexpr double kWidest = 0.17;
+// A pixel is too near to another if it is nearer than this share of what is usual among so many around it. Of
+// the pixels that are looked at, about so many, no more than that share may be.
+constexpr double kTooNear = 0.5, kFewTooNear = 0.005;
+constexpr std::size_t kAround = 12, kLookedAt = 4000;
+// How high a triangle must be in the image, in its longest edge, to show its front.
+constexpr double kFront = 0.01;
+// A flipped edge is shorter by more than rounding, so that flips end.
+constexpr double kShorter = 1 - 1e-9;
+
+std::vector<Vec3> directions(const std::vector<Vec3>& places, const Vec3& viewpoint) {
+  std::vector<Vec3> seen(places.size());
+  parallel_each(seen.size(), [&](std::size_t i) { seen[i] = (places[i] - viewpoint).stableNormalized(); });
+  return seen;
+}
+
+Vec3 middle_of(const std::vector<Vec3>& seen) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& u : seen) sum += u;
+  return sum.stableNormalized();
+}
+
+bool to_one_side(const std::vector<Vec3>& seen) {
+  const Vec3 middle = middle_of(seen);
+  return std::all_of(seen.begin(), seen.end(), [&](const Vec3& u) { return u.dot(middle) > kWidest; });
+}
+
+bool lie_apart(const std::vector<Vec3>& seen) {
+  const PointTree tree(seen);
+  const auto distance = [&](Index i) {
+    const std::vector<Index> near = tree.nearest(seen[i], 2);
+    return near.size() < 2 ? 0 : (seen[near[0]] - seen[near[1]]).norm();
+  };
+  const std::size_t step = seen.size() / kLookedAt + 1, looked = (seen.size() + step - 1) / step;
+  const double too_near = parallel_sum(looked, [&](std::size_t k) {
+    const auto i = static_cast<Index>(k * step);
+    std::vector<double> usual;
+    for (const Index j : tree.nearest(seen[i], kAround + 1)) usual.push_back(distance(j));
+    const auto middle = usual.begin() + static_cast<std::ptrdiff_t>(usual.size() / 2);
+    std::nth_element(usual.begin(), middle, usual.end());
+    return distance(i) > kTooNear * *middle ? 0 : 1;
+  });
+  return too_near <= kFewTooNear * static_cast<double>(looked);
+}
+
+// Where the lines of sight cross a plane before the viewpoint.
+std::vector<Point2> flat_image(const std::vector<Vec3>& places, const Vec3& viewpoint) {
+  const std::vector<Vec3> seen = directions(places, viewpoint);
+  const Vec3 ahead = middle_of(seen), x = ahead.unitOrthogonal(), y = ahead.cross(x);
+  std::vector<Point2> pixels(places.size());
+  parallel_each(pixels.size(), [&](std::size_t i) {
+    const double depth = ahead.dot(seen[i]);
+    pixels[i] = Point2(x.dot(seen[i]) / depth, y.dot(seen[i]) / depth);
+  });
+  return pixels;
+}
+
+/// Which triangles show their front, seen from the viewpoint, and not edge-on: three pixels in a row do not.
+class Fronts {
+ public:
+  Fronts(const std::vector<Vec3>& places, const Vec3& viewpoint) : seen_(directions(places, viewpoint)) {}
+  bool operator()(Index a, Index b, Index c) const {
+    const Vec3 ab = seen_[b] - seen_[a], bc = seen_[c] - seen_[b], ca = seen_[a] - seen_[c];
+    const double longest2 = std::max({ab.squaredNorm(), bc.squaredNorm(), ca.squaredNorm()});
+    return seen_[a].dot(ab.cross(ca)) > kFront * longest2;
+  }
+
+ private:
+  std::vector<Vec3> seen_;
+};
+
+// Of sites; clockwise on the plane, of which the viewpoint is on the other side.
+std::vector<Corners> delaunay_triangles(const std::vector<Point2>& pixels,
+                                        const std::vector<double>& distance, const Cancel& cancel) {
+  using Vertex = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
+  using Triangulation = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex>>;
+  std::vector<std::size_t> order(pixels.size());
+  std::iota(order.begin(), order.end(), 0);
+  using Map = CGAL::Pointer_property_map<Point2>::const_type;
+  CGAL::spatial_sort(order.begin(), order.end(),
+                     CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>(CGAL::make_property_map(pixels)));
+  Triangulation triangulation;
+  Triangulation::Face_handle near;
+  std::size_t turns = 0;
+  for (const std::size_t i : order) {
+    if (turns++ % 4096 == 0) cancel();
+    const std::size_t before = triangulation.number_of_vertices();
+    const auto vertex = triangulation.insert(pixels[i], near);
+    near = vertex->face();
+    if (triangulation.number_of_vertices() > before || distance[i] < distance[vertex->info()])
+      vertex->info() = static_cast<Index>(i);
+  }
+  std::vector<Corners> triangles;
+  triangles.reserve(triangulation.number_of_faces());
+  for (const auto face : triangulation.finite_face_handles())
+    triangles.push_back({face->vertex(0)->info(), face->vertex(2)->info(), face->vertex(1)->info()});
+  return triangles;
+}
+
+// Flips edges where the other diagonal of their faces is shorter in space and both faces show their fronts
+// then.
+void flip_to_shorter(GuidingSurface& film, const Fronts& shows_front, const Cancel& cancel) {
+  std::vector<Index> twin = half_edge_twins(film.triangles, static_cast<Index>(film.positions.size()));
+  const auto origin = [&](Index h) { return film.triangles[h / 3][h % 3]; };
+  const auto front = [&](Index a, Index b, Index c) {
+    return shows_front(film.site[a], film.site[b], film.site[c]);
+  };
+  const auto length = [&](Index a, Index b) { return (film.positions[a] - film.positions[b]).norm(); };
+  std::vector<Index> waiting(twin.size());
+  std::iota(waiting.rbegin(), waiting.rend(), 0);
+  for (std::size_t turns = 0; !waiting.empty(); ++turns) {
+    if (turns % 65536 == 0) cancel();
+    const Index h = waiting.back(), g = twin[h];
+    waiting.pop_back();
+    if (g == kNone) continue;
+    const Index a = origin(h), b = origin(g), c = origin(prev_in_face(h)), d = origin(prev_in_face(g));
+    if (length(c, d) >= kShorter * length(a, b) || !front(d, c, a) || !front(c, d, b)) continue;
+    flip_edge(film.triangles, twin, h);
+    for (int k = 0; k < 3; ++k) waiting.push_back(h - h % 3 + k), waiting.push_back(g - g % 3 + k);
+  }
+}
+
+// Of each face the gap in space, or that in the image if it is wider. Some pixels of a face seen at a grazing
+// angle are far from all others: what one sample covers is told by those around it as well.
+std::vector<float> wider_gaps(const GuidingSurface& film, const std::vector<Point2>& pixels,
+                              const SiteGeometry& geometry) {
+  SiteGeometry in_space;
+  in_space.spacing.resize(pixels.size());
+  std::vector<Vec3> flat(pixels.size());
+  parallel_each(pixels.size(), [&](std::size_t i) {
+    in_space.spacing[i] = std::min(geometry.spacing[i], near_spacing(geometry, static_cast<Index>(i)));
+    flat[i] = {pixels[i].x(), pixels[i].y(), 0};
+  });
+  std::vector<float> gaps = face_gaps(film, in_space);
+  GuidingSurface image = film;
+  for (std::size_t v = 0; v < film.site.size(); ++v) image.positions[v] = flat[film.site[v]];
+  const std::vector<float> in_image = face_gaps(image, site_geometry(flat));
+  for (std::size_t t = 0; t < gaps.size(); ++t) gaps[t] = std::max(gaps[t], in_image[t]);
+  return gaps;
+}
+
+}  // namespace
+
+std::optional<Vec3> depth_image_viewpoint(const std::vector<Vec3>& places, const SiteGeometry& geometry,
+                                          const std::optional<Vec3>& guess) {
+  for (const std::optional<Vec3>& viewpoint : {raster_viewpoint(places, geometry), guess}) {
+    if (!viewpoint) continue;
+    const std::vector<Vec3> seen = directions(places, *viewpoint);
+    if (to_one_side(seen) && lie_apart(seen)) return viewpoint;
+  }
+  return {};
+}
+
+GuidingSurface depth_image_surface(const std::vector<Vec3>& places, const Vec3& viewpoint,
+                                   const SiteGeometry& geometry, const Cancel& cancel) {
+  const std::vector<Point2> pixels = flat_image(places, viewpoint);
+  std::vector<double> distance(places.size());
+  parallel_each(places.size(), [&](std::size_t i) { distance[i] = (places[i] - viewpoint).norm(); });
+  std::vector<Corners> triangles = delaunay_triangles(pixels, distance, cancel);
+  // At the rim of the image, the Delaunay triangulation has rows of pixels as triangles.
+  const Fronts shows_front(places, viewpoint);
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
+                                 [&](const Corners& t) { return !shows_front(t[0], t[1], t[2]); }),
+                  triangles.end());
+  GuidingSurface film = film_of_sites(std::move(triangles), places);
+  flip_to_shorter(film, shows_front, cancel);
+  remove_bridges(film, wider_gaps(film, pixels, geometry), geometry);
+  return film;
+}
+
+}  // namespace filmsticking

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "field/site_geometry.h"
+#include "guiding_surface.h"
+#include "work_limits.h"
+
+namespace filmsticking {
+
+/// The viewpoint of places that are the pixels of a depth image; nothing if they are none. It is where their
+/// rows meet (raster_viewpoint()), or else `guess`.
+///
+/// From the viewpoint of a depth image all pixels are to one side and lie apart from each other: hardly one
+/// is much nearer to another than those around are to theirs. From a wrong one, or where there is one surface
+/// behind another, many are. `places`: in a box of side 1.
+std::optional<Vec3> depth_image_viewpoint(const std::vector<Vec3>& places, const SiteGeometry& geometry,
+                                          const std::optional<Vec3>& guess);
+
+/// The surface of a depth image: the Delaunay triangulation of its pixels, with edges flipped where they are
+/// shorter in space, without the faces that no data supports, in space or in the image (remove_bridges()).
+///
+/// Every face shows its front to the viewpoint, and no line from there meets two: so none meets another but
+/// in common corners. A manifold with boundary, perhaps empty. Of sites on one line of sight, the nearest is
+/// on it. Ends: flips make a sum of lengths shorter.
+GuidingSurface depth_image_surface(const std::vector<Vec3>& places, const Vec3& viewpoint,
+                                   const SiteGeometry& geometry, const Cancel& cancel = {});
+
+}  // namespace filmsticking

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Depth images: that they are known, and what is promised of their surfaces.
+#include "depth_image.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "filmsticking/reconstruct.h"
+#include "meeting.h"
+#include "raster_viewpoint.h"
+#include "support/clouds.h"
+#include "support/surface_check.h"
+#include "triangle_adjacency.h"
+
+namespace filmsticking {
+namespace {
+
+/// The distance along a ray (x, y, 1) of the camera's frame; infinite: nothing is seen there.
+using Depth = std::function<double(double x, double y)>;
+
+/// A camera at the origin that looks along z: n by n pixels, from -1 to 1 at distance 1.
+std::vector<Vec3> image_of(const Depth& depth, int n) {
+  std::vector<Vec3> pixels;
+  for (int v = 0; v < n; ++v)
+    for (int u = 0; u < n; ++u) {
+      const double x = 2 * (u + 0.5) / n - 1, y = 2 * (v + 0.5) / n - 1, z = depth(x, y);
+      if (z < INFINITY) pixels.push_back(z * Vec3(x, y, 1));
+    }
+  return pixels;
+}
+
+double hills(double x, double y) { return 2 + 0.3 * std::sin(4 * x) * std::cos(3 * y) + 0.2 * x; }
+
+/// A ball before a slanted wall.
+double ball_and_wall(double x, double y) {
+  const double wall = 4 / (1 + 0.3 * x + 0.2 * y), a = x * x + y * y + 1;
+  const double d = 9 - a * (9 - 1);  // the ball: middle (0, 0, 3), radius 1
+  return d > 0 ? (3 - std::sqrt(d)) / a : wall;
+}
+
+/// Steps as of a structured-light camera: in equal disparities.
+Depth in_steps(const Depth& depth, double step) {
+  return [=](double x, double y) { return 1 / (step * std::round(1 / (step * depth(x, y)))); };
+}
+
+Eigen::Isometry3d random_pose(test::Random& random) {
+  const Point axis = random.direction();
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.rotate(Eigen::AngleAxisd(random.uniform(0, 3), Vec3(axis[0], axis[1], axis[2])));
+  pose.pretranslate(Vec3(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3)));
+  return pose;
+}
+
+/// Placed and shuffled, as floats.
+std::vector<Point> cloud_of(const std::vector<Vec3>& pixels, const Eigen::Isometry3d& pose,
+                            test::Random& random) {
+  std::vector<Point> points;
+  for (const Vec3& pixel : pixels) {
+    const Eigen::Vector3f p = (pose * pixel).cast<float>();
+    points.push_back({p.x(), p.y(), p.z()});
+  }
+  for (int i = static_cast<int>(points.size()); i > 1; --i) std::swap(points[i - 1], points[random.below(i)]);
+  return points;
+}
+
+std::vector<Vec3> in_unit_box(const std::vector<Vec3>& places, const Eigen::Isometry3d& pose,
+                              Vec3& viewpoint) {
+  Eigen::AlignedBox3d box;
+  std::vector<Vec3> unit;
+  for (const Vec3& p : places) unit.push_back(pose * p), box.extend(unit.back());
+  const double side = box.sizes().maxCoeff();
+  for (Vec3& p : unit) p = (p - box.center()) / side;
+  viewpoint = (pose.translation() - box.center()) / side;
+  return unit;
+}
+
+Result reconstruct_open(const std::vector<Point>& points, std::optional<Point> viewpoint = {}) {
+  Options options;
+  options.open_boundary = true;
+  options.viewpoint = viewpoint;
+  return reconstruct(points, options);
+}
+
+Mesh mesh_of(const Result& result, const std::vector<Point>& points) {
+  Mesh mesh;
+  for (const std::int32_t i : result.vertices) mesh.positions.push_back(points.at(i));
+  mesh.triangles = result.triangles;
+  return mesh;
+}
+
+/// The share of the faces that show their backs.
+double backs(const Mesh& mesh, const Vec3& viewpoint) {
+  const auto at = [&](int v) {
+    return Vec3(mesh.positions[v][0], mesh.positions[v][1], mesh.positions[v][2]);
+  };
+  double against = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 a = at(t[0]);
+    against += !((at(t[1]) - a).cross(at(t[2]) - a).dot(viewpoint - a) > 0);
+  }
+  return against / static_cast<double>(mesh.triangles.size());
+}
+
+const std::pair<const char*, Depth> kScenes[] = {{"hills", hills},
+                                                 {"ball and wall", ball_and_wall},
+                                                 {"hills in steps", in_steps(hills, 0.004)},
+                                                 {"ball and wall in steps", in_steps(ball_and_wall, 0.003)}};
+
+TEST(RasterViewpoint, IsWhereTheRowsMeet) {
+  for (const auto& [name, depth] : kScenes)
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      SCOPED_TRACE(std::string(name) + " " + std::to_string(seed));
+      test::Random random(seed);
+      std::vector<Vec3> pixels = image_of(depth, 80);
+      // Some pixels are missing in every image.
+      pixels.erase(
+          std::remove_if(pixels.begin(), pixels.end(), [&](const Vec3&) { return random.uniform() < 0.1; }),
+          pixels.end());
+      Vec3 viewpoint;
+      const auto places = in_unit_box(pixels, random_pose(random), viewpoint);
+      const auto found = depth_image_viewpoint(places, site_geometry(places), {});
+      ASSERT_TRUE(found);
+      EXPECT_LT((*found - viewpoint).norm(), 0.02);
+    }
+}
+
+TEST(RasterViewpoint, OfNoRasterIsNothing) {
+  const auto found = [](const std::vector<Vec3>& places) {
+    return raster_viewpoint(places, site_geometry(places));
+  };
+  EXPECT_FALSE(found({}));
+  EXPECT_FALSE(found({Vec3(0, 0, 0)}));
+  EXPECT_FALSE(found({Vec3(0, 0, 0), Vec3(0.1, 0, 0), Vec3(-0.1, 0, 0)}));
+  std::vector<Vec3> flat;  // whose rows lie on lines
+  for (int i = 0; i < 400; ++i) flat.push_back({i % 20 / 20.0 - 0.5, i / 20 / 20.0 - 0.5, 0});
+  EXPECT_FALSE(found(flat));
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+    for (const auto& points :
+         {test::sphere(4000, seed), test::torus(4000, seed), test::ellipsoid(4000, seed, 0)}) {
+      std::vector<Vec3> places;
+      for (const Point& p : points) places.push_back(Vec3(p[0], p[1], p[2]) / 4);
+      EXPECT_FALSE(found(places)) << seed;
+    }
+}
+
+// The planes of its sides meet in a corner, from where these are lines.
+TEST(DepthImage, ABoxIsNone) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    std::vector<Vec3> places;
+    for (const Point& p : test::box(4000, seed, {1, 2, 3}))
+      places.push_back(Vec3(p[0] - 0.5, p[1] - 1, p[2] - 1.5) / 3);
+    EXPECT_FALSE(depth_image_viewpoint(places, site_geometry(places), {})) << seed;
+  }
+}
+
+TEST(DepthImage, IsNoneFromElsewhere) {
+  test::Random random(1);
+  Vec3 viewpoint;
+  const auto places = in_unit_box(image_of(ball_and_wall, 60), random_pose(random), viewpoint);
+  for (int i = 0; i < 10; ++i) {
+    const Point d = random.direction();
+    const Vec3 guess = viewpoint + 0.3 * Vec3(d[0], d[1], d[2]);
+    const auto found = depth_image_viewpoint(places, site_geometry(places), guess);
+    ASSERT_TRUE(found);
+    EXPECT_LT((*found - viewpoint).norm(), 0.02);  // not the guess
+  }
+}
+
+// What the surface of an image is promised to be, whatever the depths.
+TEST(DepthImage, ShowsItsFrontWholly) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    test::Random random(seed);
+    const double rough = seed % 4 == 0 ? 1 : 0.1 * random.uniform();
+    const auto jumpy = [&](double x, double y) {
+      return random.uniform() < 0.05 ? INFINITY : ball_and_wall(x, y) * (1 + rough * random.uniform());
+    };
+    const std::vector<Vec3> pixels = image_of(jumpy, 60);
+    const SiteGeometry geometry = site_geometry(pixels);
+    const GuidingSurface film = depth_image_surface(pixels, Vec3::Zero(), geometry);
+    SCOPED_TRACE(seed);
+    ASSERT_FALSE(film.triangles.empty());
+    EXPECT_TRUE(check_manifold(film.triangles, static_cast<Index>(film.positions.size())).manifold());
+    for (Index t = 0; t < static_cast<Index>(film.triangles.size()); ++t)
+      ASSERT_LT(film.area_vector2(t).dot(film.corner(t, 0)), 0);
+    int meeting = 0;
+    for (std::size_t t = 0; t < film.triangles.size(); ++t)
+      for (std::size_t u = 0; u < t; ++u)
+        meeting += !Meeting<3, 3>(film.positions, film.triangles[t], film.triangles[u], 1e-12)
+                        .in_common_corners_only();
+    EXPECT_EQ(meeting, 0);
+  }
+}
+
+TEST(DepthImage, IsTheVisibleSurface) {
+  for (const auto& [name, depth] : kScenes)
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      SCOPED_TRACE(std::string(name) + " " + std::to_string(seed));
+      test::Random random(seed);
+      const Eigen::Isometry3d pose = random_pose(random);
+      const auto points = cloud_of(image_of(depth, 100), pose, random);
+      const Result result = reconstruct_open(points);
+      ASSERT_EQ(result.status, Status::Ok) << result.message;
+      const Mesh mesh = mesh_of(result, points);
+      EXPECT_EQ(test::surface_fault(mesh, true), "");
+      EXPECT_EQ(backs(mesh, pose.translation()), 0);
+      EXPECT_EQ(result.report.genus, 0);
+      EXPECT_GE(static_cast<double>(result.report.interpolated), 0.999 * static_cast<double>(points.size()));
+    }
+}
+
+// Where depths are measured in steps of several pixels, a wall is bands; they faced either way.
+TEST(Reconstruct, Regression_AWallInStepsIsOneSurface) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(seed);
+    test::Random random(seed);
+    const Eigen::Isometry3d pose = random_pose(random);
+    const Depth wall = [&](double x, double y) {  // measured to a step or two
+      const double z = 4 / (1 + 0.35 * x + 0.2 * y);
+      return z * (1 + 0.01 * random.uniform(-1, 1));
+    };
+    const auto points = cloud_of(image_of(in_steps(wall, 0.008), 120), pose, random);
+    const Vec3 sensor = pose.translation();
+    const Result result = reconstruct_open(points, Point{sensor.x(), sensor.y(), sensor.z()});
+    ASSERT_EQ(result.status, Status::Ok) << result.message;
+    EXPECT_EQ(backs(mesh_of(result, points), pose.translation()), 0);
+    EXPECT_EQ(result.report.components, 1);
+    EXPECT_GE(static_cast<double>(result.report.interpolated), 0.999 * static_cast<double>(points.size()));
+  }
+}
+
+// Its middle sees all of a ball once.
+TEST(DepthImage, AClosedShapeAroundTheGuessIsNone) {
+  std::vector<Point> ball;  // evenly, as by a golden spiral
+  for (int i = 0; i < 3000; ++i) {
+    const double z = 1 - (2 * i + 1.0) / 3000, r = std::sqrt(1 - z * z), a = 2.399963229728653 * i;
+    ball.push_back({r * std::cos(a), r * std::sin(a), z});
+  }
+  const Result result = reconstruct_open(ball, Point{0, 0, 0});
+  ASSERT_EQ(result.status, Status::Ok);
+  EXPECT_TRUE(result.report.closed);
+  EXPECT_GT(test::signed_volume(mesh_of(result, ball)), 0);
+}
+
+// Of a plain sheet no row bends: only the guess says what it is seen from.
+TEST(DepthImage, AGuessTellsTheFrontOfASheet) {
+  const auto pixels = image_of([](double x, double y) { return 3 + 0.5 * x - 0.2 * y; }, 40);
+  test::Random random(1);
+  for (const double side : {1, -1}) {
+    std::vector<Point> points = cloud_of(pixels, Eigen::Isometry3d::Identity(), random);
+    for (Point& p : points) p[2] *= side;
+    const Result result = reconstruct_open(points, Point{0, 0, 0});
+    ASSERT_EQ(result.status, Status::Ok);
+    EXPECT_EQ(backs(mesh_of(result, points), Vec3::Zero()), 0);
+  }
+}
+
+TEST(DepthImage, AGuessThatIsNoNumberIsNoMatter) {
+  test::Random random(1);
+  const auto points = cloud_of(image_of(hills, 30), Eigen::Isometry3d::Identity(), random);
+  for (const double x : {double{NAN}, double{INFINITY}, std::numeric_limits<double>::max()}) {
+    EXPECT_EQ(reconstruct_open(points, Point{x, 0, 0}).triangles, reconstruct_open(points).triangles);
+    const auto ball = test::sphere(1000, 1);
+    EXPECT_EQ(reconstruct_open(ball, Point{0, x, x}).triangles, reconstruct_open(ball).triangles);
+  }
+}
+
+TEST(DepthImage, TheOrderOfThePointsIsNoMatter) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    test::Random random(seed);
+    auto points = cloud_of(image_of(in_steps(ball_and_wall, 0.01), 50), random_pose(random), random);
+    const Mesh first = mesh_of(reconstruct_open(points), points);
+    std::reverse(points.begin(), points.end());
+    const Mesh second = mesh_of(reconstruct_open(points), points);
+    const auto faces = [](const Mesh& mesh) {
+      std::vector<std::array<Point, 3>> all;
+      for (const Triangle& t : mesh.triangles) {
+        std::array<Point, 3> f{mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]};
+        std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
+        all.push_back(f);
+      }
+      std::sort(all.begin(), all.end());
+      return all;
+    };
+    EXPECT_EQ(faces(first), faces(second));
+  }
+}
+
+}  // namespace
+}  // namespace filmsticking
