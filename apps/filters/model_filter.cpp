@@ -76,6 +76,7 @@ std::optional<std::size_t> offset_of(const pcl::PCLPointCloud2& cloud, const cha
 /// The points in the box, by their exact positions.
 io::Model cropped(const io::Model& model, const Box& box) {
   io::Model kept;
+  kept.viewpoint = model.viewpoint;
   for (std::size_t i = 0; i < model.positions.size(); ++i) {
     const Point& p = model.positions[i];
     bool inside = true;
@@ -101,6 +102,7 @@ io::Model filter(const io::Model& model, const FilterOptions& options) {
   const pcl::PCLPointCloud2 cloud = filter(to_cloud(model, origin), options);
 
   io::Model kept;
+  kept.viewpoint = model.viewpoint;
   const PositionFields fields(cloud);
   const auto source_at = offset_of(cloud, "source"), colour_at = offset_of(cloud, "rgb");
   for (std::size_t i = 0; i < cloud.width; ++i) {

@@ -17,6 +17,7 @@ struct Model {
   std::vector<Point> positions;
   std::vector<Colour> colours;      ///< empty, or one a position
   std::vector<Triangle> triangles;  ///< empty for a point cloud; polygons come as fans of triangles
+  Point viewpoint{};                ///< where the sensor was; the origin where a file does not say
 };
 
 }  // namespace filmsticking::io

@@ -4,6 +4,7 @@
 #include <pcl/io/lzf.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@ struct Header {
   std::vector<Field> fields;
   std::size_t points = 0;
   Data data = Data::Ascii;
+  Point viewpoint{};
 };
 
 [[noreturn]] void throw_short() { throw IoError("it ends before its PCD header says"); }
@@ -75,6 +77,14 @@ Header parse_header(TextScanner& file) {
       width = parse_count(line, "WIDTH");
     } else if (keyword == "HEIGHT") {
       height = parse_count(line, "HEIGHT");
+    } else if (keyword == "VIEWPOINT") {
+      Point place{};
+      bool known = true;
+      for (double& x : place) {
+        TextScanner number(line.word());
+        known = known && number.number(x) && std::isfinite(x);
+      }
+      if (known) header.viewpoint = place;  // it is only a hint
     } else if (keyword == "POINTS") {
       points = parse_count(line, "POINTS");
     } else if (keyword == "DATA") {
@@ -219,11 +229,18 @@ Model decode_pcd(std::string_view bytes, const std::function<void()>& release) {
   const Header header = parse_header(file);
   const Wanted wanted = find_wanted(header);
   const std::string_view body = bytes.substr(bytes.size() - file.remaining());
-  if (header.data == Data::Ascii) return read_text(header, wanted, body);
-  if (header.data == Data::Binary) return read_binary(header, wanted, body, false);
-  const std::string fields = decompress(body);
-  if (release) release();
-  return read_binary(header, wanted, fields, true);
+  Model model;
+  if (header.data == Data::Ascii) {
+    model = read_text(header, wanted, body);
+  } else if (header.data == Data::Binary) {
+    model = read_binary(header, wanted, body, false);
+  } else {
+    const std::string fields = decompress(body);
+    if (release) release();
+    model = read_binary(header, wanted, fields, true);
+  }
+  model.viewpoint = header.viewpoint;
+  return model;
 }
 
 }  // namespace filmsticking::io

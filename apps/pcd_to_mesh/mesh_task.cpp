@@ -89,7 +89,9 @@ void run(const Task& task, const CommandLine& command, const Progress& progress,
   execution.cancel = &stop_asked;
   if (!command.dump_steps.empty())
     execution.on_step = [&dump](int step, const Mesh& film) { dump.write(step, film); };
-  outcome.result = reconstruct(cloud.positions, command.options, execution);
+  Options options = command.options;
+  options.viewpoint = cloud.viewpoint;
+  outcome.result = reconstruct(cloud.positions, options, execution);
   outcome.reached = true;
   if (!dump.error().empty()) throw io::IoError(dump.error());
   outcome.interrupted = outcome.result.status == Status::Cancelled;

@@ -17,6 +17,7 @@ void Accumulator::set_bounds(const Bounds& bounds) {
 
 void Accumulator::add(const io::Model& frame) {
   ++frame_;
+  viewpoint_ = frame.viewpoint;
   const bool coloured = !frame.colours.empty();
   for (std::size_t k = 0; k < frame.positions.size(); ++k) {
     Held point{{}, coloured ? frame.colours[k] : io::Colour{}, coloured, frame_};
@@ -39,6 +40,7 @@ void Accumulator::clear() {
 
 io::Model Accumulator::cloud() const {
   io::Model model;
+  model.viewpoint = viewpoint_;
   model.positions.reserve(held_.size());
   const bool coloured =
       std::all_of(held_.begin(), held_.end(), [](const Held& point) { return point.coloured; });

@@ -34,7 +34,7 @@ class Accumulator {
 
   void clear();
 
-  /// All points; with colours if all have one.
+  /// All points, and the newest frame's viewpoint; with colours if all have one.
   io::Model cloud() const;
 
   std::size_t size() const { return held_.size(); }
@@ -64,6 +64,7 @@ class Accumulator {
   std::unordered_map<Cell, std::size_t, CellHash> cells_;  // where in held_ the cell's point is
   std::int64_t frame_ = 0;                                 // the newest
   std::int64_t given_up_ = 0;
+  Point viewpoint_{};
 };
 
 }  // namespace filmsticking::stream

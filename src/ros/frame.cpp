@@ -20,10 +20,12 @@ void keep_range(io::Model& frame, double least, double most) {
 }
 
 void move(io::Model& frame, const Pose& pose) {
-  for (Point& p : frame.positions) {
+  const auto move = [&](Point& p) {
     const Eigen::Vector3d moved = pose * Eigen::Vector3d(p[0], p[1], p[2]);
     p = {moved[0], moved[1], moved[2]};
-  }
+  };
+  for (Point& p : frame.positions) move(p);
+  move(frame.viewpoint);
 }
 
 }  // namespace filmsticking::stream

@@ -14,7 +14,7 @@ using Pose = Eigen::Isometry3d;
 /// bound.
 void keep_range(io::Model& frame, double least, double most);
 
-/// Moves all points, in double precision.
+/// Moves all points and the viewpoint, in double precision.
 void move(io::Model& frame, const Pose& pose);
 
 }  // namespace filmsticking::stream

@@ -22,7 +22,9 @@ Outcome reconstruct_cloud(io::Model cloud, const filters::FilterOptions& filters
     if (filters.any()) cloud = filters::filter(cloud, filters);
     Execution execution;
     execution.cancel = &cancel;
-    Result result = reconstruct(cloud.positions, options, execution);
+    Options from_there = options;
+    from_there.viewpoint = cloud.viewpoint;
+    Result result = reconstruct(cloud.positions, from_there, execution);
     outcome.status = result.status;
     if (result.status == Status::Ok)
       outcome.mesh = app::mesh_model(std::move(cloud), result);

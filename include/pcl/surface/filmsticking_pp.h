@@ -187,13 +187,33 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
 
   /** \brief Set whether the faces that no data supports are left out: of a scan
    * from one side the visible surface is left, a manifold with boundary, whose pieces face one viewpoint
-   * on the convex side of the largest, where one sees that. A cloud from all sides stays closed.
-   * Off by default. See getFaceGaps().
+   * on the convex side of the largest, where one sees that, or that of a depth image. A cloud from all sides
+   * stays closed. Off by default. See getFaceGaps().
    */
   void setOutputBoundary(bool output_boundary) { options_.open_boundary = output_boundary; }
 
   /** \brief Get whether the faces that no data supports are left out. */
   bool getOutputBoundary() const { return options_.open_boundary; }
+
+  /** \brief Set where the points may have been seen from, in place of the cloud's sensor origin.
+   *
+   * With setOutputBoundary(), a depth image (an organized cloud of a depth camera, or all that is left of
+   * one) gives the surface that shows all its faces to its viewpoint. Mostly the points themselves say where
+   * that is; where they do not, this is tried. Of points that are no depth image from there, it changes
+   * nothing.
+   */
+  void setViewPoint(float vpx, float vpy, float vpz) { options_.viewpoint = {vpx, vpy, vpz}; }
+
+  /** \brief Try the sensor origin of the input cloud as the viewpoint, that of a blob being the origin: the
+   * default. */
+  void useSensorOriginAsViewPoint() { options_.viewpoint.reset(); }
+
+  /** \brief Get the viewpoint that is tried. */
+  void getViewPoint(float& vpx, float& vpy, float& vpz) const {
+    const filmsticking::Point point = viewPoint();
+    vpx = static_cast<float>(point[0]), vpy = static_cast<float>(point[1]),
+    vpz = static_cast<float>(point[2]);
+  }
 
   /** \brief Set whether outliers, points far from all others, are brought on to the surface, too. Off by
    * default; Report::outliers tells how many were left off.
@@ -203,8 +223,8 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   /** \brief Get whether outliers are brought on to the surface. */
   bool getKeepOutliers() const { return options_.keep_outliers; }
 
-  /** \brief Set whether edges of the finished surface are flipped where that lays them along the shape's sharp
-   * edges. On by default; the vertices are the same either way.
+  /** \brief Set whether edges of the finished surface are flipped where that lays them along the shape's
+   * sharp edges. On by default; the vertices are the same either way.
    */
   void setSharpEdges(bool sharp_edges) { options_.sharp_edges = sharp_edges; }
 
@@ -316,6 +336,9 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
 
   /** \brief The same of the blob's points. */
   filmsticking::Result computeResultOfBlob(const filmsticking::Execution& execution) const;
+
+  /** \brief The viewpoint that is tried. */
+  filmsticking::Point viewPoint() const;
 
   /** \brief The header of the blob or cloud; an empty one if there is neither. */
   pcl::PCLHeader inputHeader() const;

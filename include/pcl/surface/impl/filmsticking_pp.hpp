@@ -158,6 +158,8 @@ bool pcl::FilmstickingPP<PointInT>::computeTriangles(std::vector<pcl::Vertices>&
 template <typename PointInT>
 filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResult(
     const filmsticking::Execution& execution) const {
+  Options options = options_;
+  options.viewpoint = viewPoint();
   if constexpr (std::is_same_v<pcl::index_t, std::int32_t> && std::is_same_v<decltype(PointInT::x), float> &&
                 std::is_same_v<decltype(PointInT::y), float> &&
                 std::is_same_v<decltype(PointInT::z), float>) {
@@ -165,7 +167,7 @@ filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResult(
     // As in PCL's own types.
     if (!input_->empty() && &first->y == &first->x + 1 && &first->z == &first->x + 2) {
       const filmsticking::PointsView cloud(&first->x, sizeof(PointInT), input_->size());
-      return filmsticking::reconstruct(cloud.at(*indices_), options_, execution);
+      return filmsticking::reconstruct(cloud.at(*indices_), options, execution);
     }
   }
   std::vector<filmsticking::Point> positions;
@@ -174,12 +176,14 @@ filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResult(
     const PointInT& point = (*input_)[index];
     positions.push_back({point.x, point.y, point.z});
   }
-  return filmsticking::reconstruct(positions, options_, execution);
+  return filmsticking::reconstruct(positions, options, execution);
 }
 
 template <typename PointInT>
 filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResultOfBlob(
     const filmsticking::Execution& execution) const {
+  Options options = options_;
+  options.viewpoint = viewPoint();
   const pcl::PCLPointCloud2& blob = *blob_;
   const std::size_t x = detail::offsetOf(blob, "x"), y = detail::offsetOf(blob, "y"),
                     z = detail::offsetOf(blob, "z");
@@ -193,7 +197,7 @@ filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResultOfBlob(
     for (const pcl::index_t index : *indices_)
       places.push_back(static_cast<std::int32_t>(detail::placeOf(blob, index) / unit));
     const filmsticking::PointsView view(reinterpret_cast<const float*>(&blob.data[x]), unit, units);
-    return filmsticking::reconstruct(view.at(places), options_, execution);
+    return filmsticking::reconstruct(view.at(places), options, execution);
   }
   std::vector<filmsticking::Point> positions;
   positions.reserve(indices_->size());
@@ -201,7 +205,14 @@ filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResultOfBlob(
     const std::uint8_t* point = &blob.data[detail::placeOf(blob, index)];
     positions.push_back({detail::floatAt(point + x), detail::floatAt(point + y), detail::floatAt(point + z)});
   }
-  return filmsticking::reconstruct(positions, options_, execution);
+  return filmsticking::reconstruct(positions, options, execution);
+}
+
+template <typename PointInT>
+filmsticking::Point pcl::FilmstickingPP<PointInT>::viewPoint() const {
+  if (options_.viewpoint) return *options_.viewpoint;
+  if (!input_) return {0, 0, 0};
+  return {input_->sensor_origin_[0], input_->sensor_origin_[1], input_->sensor_origin_[2]};
 }
 
 template <typename PointInT>
