@@ -33,8 +33,13 @@ constexpr double kWidest = 0.17;
 // the pixels that are looked at, about so many, no more than that share may be.
 constexpr double kTooNear = 0.5, kFewTooNear = 0.005;
 constexpr std::size_t kAround = 12, kLookedAt = 4000;
+// The pixels of the smallest image: fewer points lie apart by chance.
+constexpr std::size_t kFewest = 100;
 // How high a triangle must be in the image, in its longest edge, to show its front.
 constexpr double kFront = 0.01;
+// Behind the surface of a shape there is more than this share of what is before it in its hull, or it is a
+// bowl, seen from within.
+constexpr double kBehind = 0.25;
 // A flipped edge is shorter by more than rounding, so that flips end.
 constexpr double kShorter = 1 - 1e-9;
 
@@ -56,6 +61,7 @@ bool to_one_side(const std::vector<Vec3>& seen) {
 }
 
 bool lie_apart(const std::vector<Vec3>& seen) {
+  if (seen.size() < kFewest) return false;
   const PointTree tree(seen);
   const auto distance = [&](Index i) {
     const std::vector<Index> near = tree.nearest(seen[i], 2);
@@ -127,6 +133,20 @@ std::vector<Corners> delaunay_triangles(const std::vector<Point2>& pixels,
   return triangles;
 }
 
+// The triangulated image in space.
+GuidingSurface image_film(const std::vector<Vec3>& places, const Vec3& viewpoint,
+                          const std::vector<Point2>& pixels, const Cancel& cancel) {
+  std::vector<double> distance(places.size());
+  parallel_each(places.size(), [&](std::size_t i) { distance[i] = (places[i] - viewpoint).norm(); });
+  std::vector<Corners> triangles = delaunay_triangles(pixels, distance, cancel);
+  // At the rim of the image, the Delaunay triangulation has rows of pixels as triangles.
+  const Fronts shows_front(places, viewpoint);
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
+                                 [&](const Corners& t) { return !shows_front(t[0], t[1], t[2]); }),
+                  triangles.end());
+  return film_of_sites(std::move(triangles), places);
+}
+
 // Flips edges where the other diagonal of their faces is shorter in space and both faces show their fronts
 // then.
 void flip_to_shorter(GuidingSurface& film, const Fronts& shows_front, const Cancel& cancel) {
@@ -181,19 +201,51 @@ std::optional<Vec3> depth_image_viewpoint(const std::vector<Vec3>& places, const
   return {};
 }
 
+std::vector<double> depth_image_sides(const TetrahedralMesh& mesh, const std::vector<Vec3>& places,
+                                      const Vec3& viewpoint, const Cancel& cancel) {
+  const GuidingSurface film = image_film(places, viewpoint, flat_image(places, viewpoint), cancel);
+  const std::vector<Index> twin = half_edge_twins(film.triangles, static_cast<Index>(film.positions.size()));
+  std::vector<Index> face_of(places.size(), 0);  // one of the faces at each site that has some
+  for (std::size_t t = 0; t < film.triangles.size(); ++t)
+    for (const Index v : film.triangles[t]) face_of[film.site[v]] = static_cast<Index>(t);
+  std::vector<double> side(mesh.size(), -1);
+  parallel_each(film.triangles.empty() ? 0 : side.size(), [&](std::size_t t) {
+    if (mesh.tets.infinite(static_cast<Index>(t))) return;
+    Vec3 middle = Vec3::Zero();
+    for (const Index i : mesh.tets.corners[t]) middle += places[i] / 4;
+    // A visibility walk, which ends in a Delaunay triangulation; where rounding lets it turn in a ring,
+    // anywhere.
+    Index face = face_of[mesh.tets.corners[t][0]];
+    for (std::size_t steps = 0, turned = 1; turned != 0 && steps < film.triangles.size(); ++steps) {
+      turned = 0;
+      for (int k = 0; k < 3 && turned == 0; ++k) {
+        const Vec3 a = film.corner(face, k) - viewpoint, b = film.corner(face, (k + 1) % 3) - viewpoint;
+        const Index next = twin[3 * face + k];
+        if (a.cross(b).dot(middle - viewpoint) > 0 && next != kNone) face = next / 3, turned = 1;
+      }
+    }
+    side[t] = film.area_vector2(face).dot(middle - film.corner(face, 0)) > 0 ? -1 : 1;
+  });
+  const auto volume = [&](double of) {
+    return parallel_sum(side.size(), [&](std::size_t t) {
+      if (side[t] != of || mesh.tets.infinite(static_cast<Index>(t))) return 0.0;
+      const auto& c = mesh.tets.corners[t];
+      const Vec3 &a = places[c[0]], &b = places[c[1]], &d = places[c[2]], &e = places[c[3]];
+      return std::abs((b - a).cross(d - a).dot(e - a));
+    });
+  };
+  if (volume(1) >= kBehind * volume(-1)) return side;
+  parallel_each(side.size(), [&](std::size_t t) {
+    if (!mesh.tets.infinite(static_cast<Index>(t))) side[t] = -side[t];
+  });
+  return side;
+}
+
 GuidingSurface depth_image_surface(const std::vector<Vec3>& places, const Vec3& viewpoint,
                                    const SiteGeometry& geometry, const Cancel& cancel) {
   const std::vector<Point2> pixels = flat_image(places, viewpoint);
-  std::vector<double> distance(places.size());
-  parallel_each(places.size(), [&](std::size_t i) { distance[i] = (places[i] - viewpoint).norm(); });
-  std::vector<Corners> triangles = delaunay_triangles(pixels, distance, cancel);
-  // At the rim of the image, the Delaunay triangulation has rows of pixels as triangles.
-  const Fronts shows_front(places, viewpoint);
-  triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
-                                 [&](const Corners& t) { return !shows_front(t[0], t[1], t[2]); }),
-                  triangles.end());
-  GuidingSurface film = film_of_sites(std::move(triangles), places);
-  flip_to_shorter(film, shows_front, cancel);
+  GuidingSurface film = image_film(places, viewpoint, pixels, cancel);
+  flip_to_shorter(film, Fronts(places, viewpoint), cancel);
   remove_bridges(film, wider_gaps(film, pixels, geometry), geometry);
   return film;
 }

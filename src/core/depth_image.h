@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "field/site_geometry.h"
+#include "field/tetrahedral_mesh.h"
 #include "guiding_surface.h"
 #include "work_limits.h"
 
@@ -27,5 +28,10 @@ std::optional<Vec3> depth_image_viewpoint(const std::vector<Vec3>& places, const
 /// on it. Ends: flips make a sum of lengths shorter.
 GuidingSurface depth_image_surface(const std::vector<Vec3>& places, const Vec3& viewpoint,
                                    const SiteGeometry& geometry, const Cancel& cancel = {});
+
+/// Which side of the image each tetrahedron's middle is on: 1 behind it, or, where there is hardly anything
+/// behind it, before it; -1 the other side, and at infinity.
+std::vector<double> depth_image_sides(const TetrahedralMesh& mesh, const std::vector<Vec3>& places,
+                                      const Vec3& viewpoint, const Cancel& cancel = {});
 
 }  // namespace filmsticking

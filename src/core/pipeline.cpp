@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "delaunay.h"
+#include "depth_image.h"
 #include "field/carve.h"
 #include "field/manifold_labels.h"
 #include "field/poisson.h"
@@ -392,9 +393,34 @@ Pipeline::Candidate Pipeline::cut_two_sides() {
   return price(next) < price(best) ? std::move(next) : std::move(best);
 }
 
+std::optional<Vec3> Pipeline::viewpoint(const std::vector<Vec3>& places) {
+  monitor_.enter("depth image", monitor_.share());
+  std::optional<Vec3> guess;
+  if (options_.viewpoint) guess = sites_.to_unit(*options_.viewpoint);
+  return depth_image_viewpoint(places, geometry_, guess);
+}
+
+std::optional<Pipeline::VisibleSurface> Pipeline::visible_surface(const PointsView& points) {
+  std::vector<Vec3> places(sites_.size());
+  parallel_each(places.size(), [&](std::size_t s) { places[s] = sites_.exact(points, s); });
+  const std::optional<Vec3> from = viewpoint(places);
+  if (!from) return {};
+  GuidingSurface film = depth_image_surface(places, *from, geometry_, monitor_.cancel());
+  if (film.triangles.empty()) return {};
+  return VisibleSurface{std::move(film), *from};
+}
+
+// By what is before and behind a depth image, if the sites are one. Its gaps are those of its steps.
+Pipeline::Candidate Pipeline::cut_depth_image() {
+  const std::optional<Vec3> from = viewpoint(sites_.perturbed);
+  if (!from) return {};
+  return without_gaps(
+      judged(cut(depth_image_sides(mesh_, sites_.perturbed, *from, monitor_.cancel()), kConviction)), Mend::Plugs);
+}
+
 // By local evidence alone; where its first cut leaves many sites off, also by carving at a few widths and
 // convictions, and where there is no telling inside from outside (open surfaces), by the film from the
-// sphere. The best of these is cut again by its own normals.
+// sphere. A depth image that is to be closed tells. The best of these is cut again by its own normals.
 Pipeline::Candidate Pipeline::carve() {
   monitor_.enter("signed field", 0.25);
   Candidate best = cut(signed_field(mesh_, evidence_, std::move(guess_), monitor_.cancel()), kConviction);
@@ -406,6 +432,9 @@ Pipeline::Candidate Pipeline::carve() {
   }
   bool two_sided = false;  // with its normals there still is no inside
   if (best.weak > kSomeTrouble) {
+    if (!options_.open_boundary)
+      if (Candidate image = cut_depth_image(); !image.film.triangles.empty() && image.weak <= kNoInside)
+        return image;
     Candidate sides = cut_two_sides();
     const double complexity =
         static_cast<double>(sides.quality.complexity) / static_cast<double>(sites_.size());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "field/facet_evidence.h"
@@ -24,6 +25,15 @@ class Pipeline {
 
   /// Closed manifold of sites, or empty. `tetrahedra`: of the perturbed sites.
   GuidingSurface run(Tetrahedra tetrahedra);
+
+  struct VisibleSurface {
+    GuidingSurface film;
+    Vec3 viewpoint;
+  };
+
+  /// Instead of run(), the open surface of a depth image; nothing where the sites are none. `points`: what
+  /// the sites were made of.
+  std::optional<VisibleSurface> visible_surface(const PointsView& points);
 
   /// The last resort, after run(): the tetrahedron of largest volume, and what sites it reaches. Closed
   /// manifold of sites that encloses it; empty only if all tetrahedra are flat. `points`: what the sites were
@@ -50,6 +60,8 @@ class Pipeline {
   Candidate finish(GuidingSurface film);
   Candidate cut(const std::vector<double>& belief, double conviction, bool open = false);
   Candidate cut_two_sides();
+  Candidate cut_depth_image();
+  std::optional<Vec3> viewpoint(const std::vector<Vec3>& places);
   // By plugs alone, which is quick, or by all that may help.
   enum class Mend { Plugs, All };
   Candidate without_gaps(Candidate candidate, Mend mend = Mend::All);

@@ -11,7 +11,6 @@
 
 #include "cap_faces.h"
 #include "delaunay.h"
-#include "depth_image.h"
 #include "feature_flips.h"
 #include "meeting_faces.h"
 #include "monitor.h"
@@ -185,16 +184,11 @@ void run(const PointsView& points, const Options& options, const Execution& exec
   if (!options.keep_outliers) report.outliers = drop_outliers(sites, points, geometry);
   Pipeline pipeline(sites, geometry, options, monitor, report);
   GuidingSurface film;
-  std::optional<Vec3> viewpoint;  // of a depth image
-  if (options.open_boundary) {
-    monitor.enter("depth image", monitor.share());
-    std::vector<Vec3> places(sites.size());
-    parallel_each(places.size(), [&](std::size_t s) { places[s] = sites.exact(points, s); });
-    std::optional<Vec3> guess;
-    if (options.viewpoint) guess = sites.to_unit(*options.viewpoint);
-    viewpoint = depth_image_viewpoint(places, geometry, guess);
-    if (viewpoint) film = depth_image_surface(places, *viewpoint, geometry, monitor.cancel());
-  }
+  std::optional<Pipeline::VisibleSurface> visible;
+  if (options.open_boundary && options.initial_surface == InitialSurface::Carve)
+    visible = pipeline.visible_surface(points);
+  const Vec3* viewpoint = visible ? &visible->viewpoint : nullptr;
+  if (visible) film = std::move(visible->film);
   if (!viewpoint) {
     Tetrahedra tetrahedra;
     try {
@@ -222,7 +216,7 @@ void run(const PointsView& points, const Options& options, const Execution& exec
     }
     if (options.sharp_edges) {
       monitor.enter("sharp edges", monitor.share());
-      report.flips = flip_to_features(film, topology->twin, monitor.cancel(), viewpoint ? &*viewpoint : nullptr);
+      report.flips = flip_to_features(film, topology->twin, monitor.cancel(), viewpoint);
       topology->check = check_manifold_with_twins(film.triangles, static_cast<Index>(film.site.size()), topology->twin);
     }
     if (!topology->check.manifold()) return true;
