@@ -410,6 +410,21 @@ TEST(Pcd, DoublesStayDouble) {
   EXPECT_TRUE(std::isnan(model.positions[1][2]));
 }
 
+TEST(Pcd, SaysWhereTheSensorWas) {
+  const ScratchFolder folder;
+  const auto viewpoint = [&](const std::string& line) {
+    write_text(folder / "cloud.pcd",
+               "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 1\nHEIGHT 1\n" + line +
+                   "POINTS 1\nDATA ascii\n1 2 3\n");
+    return io::read_cloud(folder / "cloud.pcd").viewpoint;
+  };
+  EXPECT_EQ(viewpoint("VIEWPOINT 1.5 -2 3e2 1 0 0 0\n"), (Point{1.5, -2, 300}));
+  // It is a hint only.
+  for (const char* line :
+       {"", "VIEWPOINT 1 2\n", "VIEWPOINT 1 nan 2 1 0 0 0\n", "VIEWPOINT a b c\n", "VIEWPOINT 1 2 1e999\n"})
+    EXPECT_EQ(viewpoint(line), (Point{0, 0, 0})) << line;
+}
+
 TEST(Pcd, BrokenFilesAreRefusedQuietly) {
   const ScratchFolder folder;
   const std::string fields = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n";

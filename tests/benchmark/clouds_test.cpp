@@ -104,7 +104,7 @@ TEST(Clouds, SameSeedSamePointsOtherSeedOtherPoints) {
     CloudSpec spec = spec_of(sampling, 500, 3);
     spec.noise.deviation = 0.01;
     spec.outliers = 0.1;
-    spec.missing = sampling == Sampling::DepthView ? 0 : 0.2;
+    spec.missing = is_depth(sampling) ? 0 : 0.2;
     const std::vector<Point> points = make_cloud(sphere, spec);
     EXPECT_EQ(points, make_cloud(sphere, spec)) << name_of(sampling);
     spec.seed = 4;
@@ -244,6 +244,26 @@ TEST(Clouds, DepthViewsAreOfWhatTheCameraSees) {
     for (const Point& p : seen.positions) lowest = std::min(lowest, height(p));
     EXPECT_NEAR(lowest, horizon, 0.05);
     EXPECT_NEAR(SurfaceSampler(seen).area(), 2 * M_PI * (1 - horizon), 0.1);
+  }
+}
+
+TEST(Clouds, ADepthFrameIsADepthViewInTheCamerasFrame) {
+  const Mesh box = make_box({1, 2, 3});
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const CloudSpec view = spec_of(Sampling::DepthView, 2000, seed),
+                    frame = spec_of(Sampling::DepthFrame, 2000, seed);
+    const std::vector<Point> there = make_cloud(box, view), here = make_cloud(box, frame);
+    ASSERT_EQ(here.size(), there.size());
+    EXPECT_NEAR(distance(here[0], here[1]), distance(there[0], there[1]), 1e-5);
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      EXPECT_GT(here[i][2], 0);
+      // The middle of the box is straight ahead, two diagonals away.
+      const double off = distance(here[i], {0, 0, 2 * std::sqrt(14)}),
+                   same = distance(there[i], {0.5, 1, 1.5});
+      EXPECT_NEAR(off, same, 1e-5);
+    }
+    for (const Point& p : sampled_part(box, frame).positions)
+      EXPECT_LE(distance(p, {0, 0, 2 * std::sqrt(14)}), std::sqrt(14) / 2 + 1e-5);
   }
 }
 

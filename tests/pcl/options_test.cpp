@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <pcl/conversions.h>
 
+#include <random>
+
 #include "clouds.h"
 #include "surface.h"
 
@@ -83,6 +85,61 @@ TEST(FilmstickingPP, OpensWhereThereAreNoPoints) {
   EXPECT_TRUE(filmsticking.getReport().manifold);
   EXPECT_EQ(filmsticking.getReport().boundary_loops, 1);
   EXPECT_LT(open.polygons.size(), closed.polygons.size());
+}
+
+/// The share of the triangles that show their fronts to a point.
+double fronts(const pcl::PointCloud<PointXYZ>& points, const std::vector<pcl::Vertices>& polygons,
+              const Eigen::Vector3f& eye) {
+  int with = 0;
+  for (const pcl::Vertices& polygon : polygons) {
+    const Eigen::Vector3f a = points[polygon.vertices[0]].getVector3fMap(),
+                          b = points[polygon.vertices[1]].getVector3fMap(),
+                          c = points[polygon.vertices[2]].getVector3fMap();
+    with += (b - a).cross(c - a).dot(eye - a) > 0 ? 1 : 0;
+  }
+  return with / static_cast<double>(polygons.size());
+}
+
+TEST(FilmstickingPP, ADepthImageFacesItsSensor) {
+  // A wall whose pixels are beside their places: only the viewpoint tells its front.
+  pcl::PointCloud<PointXYZ>::Ptr wall(new pcl::PointCloud<PointXYZ>(40, 30));
+  std::mt19937 random(1);
+  const auto beside = [&] { return static_cast<float>(random() % 1000) / 2000 - 0.25F; };
+  for (int v = 0; v < 30; ++v)
+    for (int u = 0; u < 40; ++u) {
+      const float x = (static_cast<float>(u) + beside() - 19.5F) / 40;
+      const float y = (static_cast<float>(v) + beside() - 14.5F) / 40;
+      const float z = 3 + 0.3F * x * x;
+      wall->at(u, v) = PointXYZ(x * z, y * z, z);
+    }
+  Class filmsticking;
+  filmsticking.setInputCloud(wall);
+  filmsticking.setOutputBoundary(true);
+  Eigen::Vector3f eye;
+  filmsticking.getViewPoint(eye.x(), eye.y(), eye.z());
+  EXPECT_EQ(eye, Eigen::Vector3f::Zero());
+  auto surface = run(filmsticking);
+  EXPECT_EQ(surface.points.size(), 1200u);
+  EXPECT_EQ(fronts(surface.points, surface.polygons, eye), 1);
+
+  pcl::PointCloud<PointXYZ>::Ptr moved(new pcl::PointCloud<PointXYZ>(*wall));
+  for (PointXYZ& p : *moved) p.z = 10 - p.z;
+  moved->sensor_origin_ << 0, 0, 10, 0;
+  filmsticking.setInputCloud(moved);
+  filmsticking.getViewPoint(eye.x(), eye.y(), eye.z());
+  EXPECT_EQ(eye, Eigen::Vector3f(0, 0, 10));
+  surface = run(filmsticking);
+  EXPECT_EQ(fronts(surface.points, surface.polygons, eye), 1);
+
+  filmsticking.setInputCloud(wall);
+  filmsticking.setViewPoint(0, 0, 40);  // behind the wall
+  filmsticking.getViewPoint(eye.x(), eye.y(), eye.z());
+  EXPECT_EQ(eye, Eigen::Vector3f(0, 0, 40));
+  surface = run(filmsticking);
+  EXPECT_EQ(fronts(surface.points, surface.polygons, eye), 1);
+  filmsticking.useSensorOriginAsViewPoint();
+  surface = run(filmsticking);
+  EXPECT_EQ(fronts(surface.points, surface.polygons, eye), 0);
 }
 
 TEST(FilmstickingPP, StartsFromAGivenSurface) {

@@ -145,6 +145,10 @@ TEST(Frame, MovesAsThePoseTells) {
   pose.translation() << 10, 20, 30;
   move(frame, pose);
   EXPECT_EQ(frame.positions[0], (Point{10, 21, 30}));
+  EXPECT_EQ(frame.viewpoint, (Point{10, 20, 30}));
+  Accumulator accumulator;
+  accumulator.add(frame);
+  EXPECT_EQ(accumulator.cloud().viewpoint, frame.viewpoint);
 }
 
 }  // namespace
