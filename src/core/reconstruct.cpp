@@ -190,6 +190,7 @@ void run(const PointsView& points, const Options& options, const Execution& exec
   const Vec3* viewpoint = visible ? &visible->viewpoint : nullptr;
   if (visible) film = std::move(visible->film);
   if (!viewpoint) {
+    monitor.enter("triangulation", monitor.share());
     Tetrahedra tetrahedra;
     try {
       tetrahedra = delaunay_tetrahedra(sites.perturbed, limits);
