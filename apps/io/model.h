@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "filmsticking/types.h"
@@ -17,7 +18,7 @@ struct Model {
   std::vector<Point> positions;
   std::vector<Colour> colours;      ///< empty, or one a position
   std::vector<Triangle> triangles;  ///< empty for a point cloud; polygons come as fans of triangles
-  Point viewpoint{};                ///< where the sensor was; the origin where a file does not say
+  std::optional<Point> viewpoint = std::nullopt;  ///< where the sensor was, where that is said
 };
 
 }  // namespace filmsticking::io

@@ -29,7 +29,7 @@ struct Header {
   std::vector<Field> fields;
   std::size_t points = 0;
   Data data = Data::Ascii;
-  Point viewpoint{};
+  std::optional<Point> viewpoint;
 };
 
 [[noreturn]] void throw_short() { throw IoError("it ends before its PCD header says"); }

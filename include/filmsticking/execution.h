@@ -15,10 +15,12 @@ struct Execution {
   std::function<void(double share, const char* room)> progress;
 
   /// Set it from any thread: the reconstruction ends soon with Status::Cancelled. Most long loops look at it;
-  /// the neighbour search, the local evidence and a step of an evolving film are ended first.
+  /// the neighbour search, the search for a viewpoint, the local evidence and a step of an evolving film are
+  /// ended first.
   const std::atomic<bool>* cancel = nullptr;
 
-  /// Called with the film after every step (0: the initial surface), in the caller's coordinates.
+  /// Called with the film after every step (0: the initial surface), in the caller's coordinates. A carved
+  /// film is one step, and an open depth image none.
   std::function<void(int step, const Mesh& film)> on_step;
 };
 

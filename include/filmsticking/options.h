@@ -58,11 +58,11 @@ struct Options {
   /// a boundary face one viewpoint, where there is one: from its convex side.
   bool open_boundary = false;
 
-  /// Where the points may have been seen from, in their own unit and frame: a sensor's place. With
-  /// `open_boundary`, a depth image (every point alone on its line of sight, apart from the others as pixels
-  /// are) gives the surface that shows all its faces to its viewpoint. Mostly the points themselves say where
-  /// that is; where they do not, this is tried. Of points that are no depth image from there, it changes
-  /// nothing.
+  /// Where the points may have been seen from, in their own unit and frame: a sensor's place. A depth image
+  /// (every point alone on its line of sight, apart from the others as pixels are) gives the surface that
+  /// shows all its faces to its viewpoint if it is to be open, and else what is behind it. Mostly the points
+  /// themselves say where that is; where they do not, this is tried. Of points that are no depth image from
+  /// there, and with another `initial_surface` than Carve, it changes nothing.
   std::optional<Point> viewpoint;
 
   /// Bring on outliers, too: points far from all others that are no part of a surface. They are left off

@@ -36,7 +36,7 @@ struct Report {
   /// Sites left off because no others are near (see Options::keep_outliers): at most a third, where more look like
   /// outliers none is. None of an evenly sampled surface.
   std::int64_t outliers = 0;
-  std::int64_t tetrahedra = 0;    ///< of the sites' Delaunay triangulation
+  std::int64_t tetrahedra = 0;    ///< of the sites' Delaunay triangulation; 0: an open depth image needs none
   /// Times that a site was brought on to the surface by itself at the end, which the cut or the film had left off:
   /// one in hundreds on clean clouds, many of thin walls and noise.
   std::int64_t inserted = 0;

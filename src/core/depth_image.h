@@ -11,21 +11,28 @@
 
 namespace filmsticking {
 
-/// The viewpoint of places that are the pixels of a depth image; nothing if they are none. It is where their
-/// rows meet (raster_viewpoint()), or else `guess`.
+/// A depth image: where it was taken from, and the surface that is seen.
+struct DepthImage {
+  Vec3 viewpoint;
+  GuidingSurface surface;  ///< depth_image_surface()
+};
+
+/// The depth image whose pixels the places are, in a box of side 1; nothing if they are none. Its viewpoint
+/// is where their rows meet (raster_viewpoint()), or else `guess`.
 ///
 /// From the viewpoint of a depth image all pixels are to one side and lie apart from each other: hardly one
 /// is much nearer to another than those around are to theirs. From a wrong one, or where there is one surface
-/// behind another, many are. `places`: in a box of side 1.
-std::optional<Vec3> depth_image_viewpoint(const std::vector<Vec3>& places, const SiteGeometry& geometry,
-                                          const std::optional<Vec3>& guess);
+/// behind another, many are, unless both are as regular as an image: then the surface leaves sites off, is in
+/// many parts or winds through both, against the planes fitted to neighbours, and they are no image, either.
+std::optional<DepthImage> depth_image(const std::vector<Vec3>& places, const SiteGeometry& geometry,
+                                      const std::optional<Vec3>& guess, const Cancel& cancel = {});
 
 /// The surface of a depth image: the Delaunay triangulation of its pixels, with edges flipped where they are
 /// shorter in space, without the faces that no data supports, in space or in the image (remove_bridges()).
 ///
 /// Every face shows its front to the viewpoint, and no line from there meets two: so none meets another but
-/// in common corners. A manifold with boundary, perhaps empty. Of sites on one line of sight, the nearest is
-/// on it. Ends: flips make a sum of lengths shorter.
+/// in common corners. A manifold with boundary, perhaps empty. Of sites in one direction exactly, the
+/// nearest is on it. Ends: flips make a sum of lengths shorter.
 GuidingSurface depth_image_surface(const std::vector<Vec3>& places, const Vec3& viewpoint,
                                    const SiteGeometry& geometry, const Cancel& cancel = {});
 

@@ -15,8 +15,9 @@ namespace filmsticking {
 /// topology and its border stay, and no flip makes faces intersect: the tetrahedron that it sweeps is free of
 /// other faces.
 ///
-/// `viewpoint`: what all faces show their fronts to, before and after, or null. `twins`: the film's half_edge_twins(), before and after. Faces that are near each other should have near
-/// numbers. The same flips for any number of threads. Returns how many.
+/// `viewpoint`: what all faces show their fronts to, before and after, or null. `twins`: the film's
+/// half_edge_twins(), before and after. Faces that are near each other should have near numbers. The same
+/// flips for any number of threads. Returns how many.
 std::int64_t flip_to_features(GuidingSurface& film, std::vector<Index>& twins, const Cancel& cancel = {},
                               const Vec3* viewpoint = nullptr);
 

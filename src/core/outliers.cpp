@@ -18,25 +18,23 @@ constexpr double kLonely = 1.8, kNotFlat = 0.03, kAside = 2;
 // both take three fifths to nine tenths, the rest being near the surface.
 constexpr double kFarOff = 4, kScattered = 0.08;
 
-/// The sites that are left, and what their neighbourhoods tell. All keep their numbers.
+/// The sites that are left; all keep their numbers.
 struct Rest {
   std::vector<char> left;
   std::size_t size;
-  SiteGeometry geometry;
 };
 
-std::vector<Index> outliers(const Rest& rest) {
+std::vector<Index> outliers(const Rest& rest, const SiteGeometry& geometry) {
   std::vector<double> sorted;
   sorted.reserve(rest.size);
   for (std::size_t i = 0; i < rest.left.size(); ++i)
-    if (rest.left[i]) sorted.push_back(rest.geometry.spacing[i]);
+    if (rest.left[i]) sorted.push_back(geometry.spacing[i]);
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
   const double typical = *middle;
   std::vector<char> out(rest.left.size());
   parallel_each(out.size(), [&](std::size_t i) {
     if (!rest.left[i]) return;
-    const SiteGeometry& geometry = rest.geometry;
     const double spacing = geometry.spacing[i], variation = geometry.variation[i];
     out[i] = (variation > kScattered && spacing > kFarOff * typical) ||
              ((variation > kNotFlat || geometry.offset[i] > kAside) &&
@@ -62,7 +60,7 @@ std::vector<Index> nearest_left(const PointTree& tree, const Vec3& place, const 
 
 // Takes sites out, and describes those anew that had one of them among their neighbours.
 void take_out(const std::vector<Index>& out, const std::vector<Vec3>& places, const PointTree& tree,
-              Rest& rest) {
+              Rest& rest, SiteGeometry& geometry) {
   const bool all_near = rest.size <= kNeighbours + 1;  // each is a neighbour of all
   std::vector<Vec3> gone;
   for (const Index i : out) rest.left[i] = 0, gone.push_back(places[i]);
@@ -72,9 +70,9 @@ void take_out(const std::vector<Index>& out, const std::vector<Vec3>& places, co
     if (!rest.left[i]) return;
     double distance2 = 0;
     gone_tree.nearest(places[i], &distance2);
-    const double radius = neighbour_radius(rest.geometry, static_cast<Index>(i)) * (1 + 1e-9);
+    const double radius = neighbour_radius(geometry, static_cast<Index>(i)) * (1 + 1e-9);
     if (!all_near && distance2 > radius * radius) return;
-    describe_site(rest.geometry, places, static_cast<Index>(i), nearest_left(tree, places[i], rest));
+    describe_site(geometry, places, static_cast<Index>(i), nearest_left(tree, places[i], rest));
   });
 }
 
@@ -101,19 +99,20 @@ void close_ranks(const Rest& rest, SiteSet& sites, SiteGeometry& geometry) {
 
 std::int64_t drop_outliers(SiteSet& sites, const PointsView& points, SiteGeometry& geometry) {
   const std::size_t all = sites.size();
-  Rest rest{std::vector<char>(all, 1), all, geometry};
-  std::vector<Index> out = outliers(rest);
+  Rest rest{std::vector<char>(all, 1), all};
+  std::vector<Index> out = outliers(rest, geometry);
   if (out.empty()) return 0;
+  SiteGeometry of_rest = geometry;
   const PointTree tree(sites.perturbed);
-  for (; !out.empty(); out = outliers(rest)) {  // ends: every turn leaves fewer
+  for (; !out.empty(); out = outliers(rest, of_rest)) {  // ends: every turn leaves fewer
     if (3 * (rest.size - out.size()) < 2 * all || rest.size - out.size() < 4) return 0;
-    take_out(out, sites.perturbed, tree, rest);
+    take_out(out, sites.perturbed, tree, rest, of_rest);
   }
   SiteSet left = sites;
-  close_ranks(rest, left, rest.geometry);
+  close_ranks(rest, left, of_rest);
   if (left.coplanar(points)) return 0;
   sites = std::move(left);
-  geometry = std::move(rest.geometry);
+  geometry = std::move(of_rest);
   return static_cast<std::int64_t>(all - sites.size());
 }
 

@@ -24,8 +24,13 @@ using Line = std::vector<Index>;  // the vertices of a hole, in the direction of
 
 class Pinholes {
  public:
-  Pinholes(GuidingSurface& film, const std::vector<Index>& twins, const SiteGeometry& geometry)
-      : film_(film), twin_(twins), geometry_(geometry), faces_(film.triangles.size()) {}
+  Pinholes(GuidingSurface& film, const std::vector<Index>& twins, const SiteGeometry& geometry,
+           const Vec3* viewpoint)
+      : film_(film),
+        twin_(twins),
+        geometry_(geometry),
+        viewpoint_(viewpoint),
+        faces_(film.triangles.size()) {}
 
   std::int64_t run() {
     const std::vector<Line> lines = find_lines();
@@ -100,8 +105,8 @@ class Pinholes {
         for (std::size_t j = i + 1; j < k && cost[i][k] < kNever; ++j) {
           const Corners face{line[i], line[j], line[k]};
           const Vec3 own = area(face);
-          const bool good =
-              own.dot(around) >= kAgrees * own.norm() * around.norm() && is_narrow(film_, face, geometry_);
+          const bool good = own.dot(around) >= kAgrees * own.norm() * around.norm() &&
+                            shows_front(own, line[j]) && is_narrow(film_, face, geometry_);
           const double with = good ? cost[i][j] + cost[j][k] + own.norm() : kNever;
           if (with < least) least = with, middle[i][k] = j;
         }
@@ -119,6 +124,10 @@ class Pinholes {
       open.push_back({i, j}), open.push_back({j, k});
     }
     return faces;
+  }
+
+  bool shows_front(const Vec3& area, Index corner) const {
+    return viewpoint_ == nullptr || area.dot(*viewpoint_ - film_.positions[corner]) > 0;
   }
 
   // Does a filling meet the film, what has filled other holes, or itself?
@@ -142,6 +151,7 @@ class Pinholes {
   GuidingSurface& film_;
   const std::vector<Index>& twin_;
   const SiteGeometry& geometry_;
+  const Vec3* viewpoint_;
   std::size_t faces_;          // of the film without fillings
   std::vector<Index> border_;  // of a vertex: the half-edge without a twin that ends there
 };
@@ -149,8 +159,8 @@ class Pinholes {
 }  // namespace
 
 std::int64_t fill_pinholes(GuidingSurface& film, const std::vector<Index>& twins,
-                           const SiteGeometry& geometry) {
-  return Pinholes(film, twins, geometry).run();
+                           const SiteGeometry& geometry, const Vec3* viewpoint) {
+  return Pinholes(film, twins, geometry, viewpoint).run();
 }
 
 }  // namespace filmsticking

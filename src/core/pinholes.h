@@ -14,10 +14,12 @@ namespace filmsticking {
 /// of them face the way that the faces around do, and none meets another. The rim of a piece is no hole: what
 /// would fill it faces the other way.
 ///
+/// `viewpoint`: what all faces show their fronts to, and those that fill holes as well, or null.
+///
 /// The manifold stays one, and has the same vertices. The same for any numbering of vertices and faces.
 /// `twins`: the film's half_edge_twins() before. Faces that are near each other should have near numbers.
 /// Returns how many holes.
 std::int64_t fill_pinholes(GuidingSurface& film, const std::vector<Index>& twins,
-                           const SiteGeometry& geometry);
+                           const SiteGeometry& geometry, const Vec3* viewpoint = nullptr);
 
 }  // namespace filmsticking

@@ -393,29 +393,26 @@ Pipeline::Candidate Pipeline::cut_two_sides() {
   return price(next) < price(best) ? std::move(next) : std::move(best);
 }
 
-std::optional<Vec3> Pipeline::viewpoint(const std::vector<Vec3>& places) {
+std::optional<DepthImage> Pipeline::image_of(const std::vector<Vec3>& places) {
   monitor_.enter("depth image", monitor_.share());
   std::optional<Vec3> guess;
   if (options_.viewpoint) guess = sites_.to_unit(*options_.viewpoint);
-  return depth_image_viewpoint(places, geometry_, guess);
+  return depth_image(places, geometry_, guess, monitor_.cancel());
 }
 
-std::optional<Pipeline::VisibleSurface> Pipeline::visible_surface(const PointsView& points) {
+std::optional<DepthImage> Pipeline::visible_surface(const PointsView& points) {
   std::vector<Vec3> places(sites_.size());
   parallel_each(places.size(), [&](std::size_t s) { places[s] = sites_.exact(points, s); });
-  const std::optional<Vec3> from = viewpoint(places);
-  if (!from) return {};
-  GuidingSurface film = depth_image_surface(places, *from, geometry_, monitor_.cancel());
-  if (film.triangles.empty()) return {};
-  return VisibleSurface{std::move(film), *from};
+  return image_of(places);
 }
 
 // By what is before and behind a depth image, if the sites are one. Its gaps are those of its steps.
 Pipeline::Candidate Pipeline::cut_depth_image() {
-  const std::optional<Vec3> from = viewpoint(sites_.perturbed);
-  if (!from) return {};
-  return without_gaps(
-      judged(cut(depth_image_sides(mesh_, sites_.perturbed, *from, monitor_.cancel()), kConviction)), Mend::Plugs);
+  const std::optional<DepthImage> image = image_of(sites_.perturbed);
+  if (!image) return {};
+  const std::vector<double> sides =
+      depth_image_sides(mesh_, sites_.perturbed, image->viewpoint, monitor_.cancel());
+  return without_gaps(judged(cut(sides, kConviction)), Mend::Plugs);
 }
 
 // By local evidence alone; where its first cut leaves many sites off, also by carving at a few widths and

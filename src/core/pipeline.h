@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "depth_image.h"
 #include "field/facet_evidence.h"
 #include "field/site_geometry.h"
 #include "field/tetrahedral_mesh.h"
@@ -26,14 +27,9 @@ class Pipeline {
   /// Closed manifold of sites, or empty. `tetrahedra`: of the perturbed sites.
   GuidingSurface run(Tetrahedra tetrahedra);
 
-  struct VisibleSurface {
-    GuidingSurface film;
-    Vec3 viewpoint;
-  };
-
-  /// Instead of run(), the open surface of a depth image; nothing where the sites are none. `points`: what
+  /// Instead of run(): the depth image that the sites are, with its open surface, or nothing. `points`: what
   /// the sites were made of.
-  std::optional<VisibleSurface> visible_surface(const PointsView& points);
+  std::optional<DepthImage> visible_surface(const PointsView& points);
 
   /// The last resort, after run(): the tetrahedron of largest volume, and what sites it reaches. Closed
   /// manifold of sites that encloses it; empty only if all tetrahedra are flat. `points`: what the sites were
@@ -61,7 +57,7 @@ class Pipeline {
   Candidate cut(const std::vector<double>& belief, double conviction, bool open = false);
   Candidate cut_two_sides();
   Candidate cut_depth_image();
-  std::optional<Vec3> viewpoint(const std::vector<Vec3>& places);
+  std::optional<DepthImage> image_of(const std::vector<Vec3>& places);
   // By plugs alone, which is quick, or by all that may help.
   enum class Mend { Plugs, All };
   Candidate without_gaps(Candidate candidate, Mend mend = Mend::All);

@@ -13,9 +13,8 @@ namespace filmsticking {
 /// threes meet, by iteratively reweighted least squares. Nothing if most do not meet, as of points that are
 /// no raster.
 ///
-/// What is found of points that happen to lie like pixels may be wrong: is_depth_image() tells. Of a view
-/// from farther than some sizes of the box, nothing is found: it has no place. `places`: in a box of side 1,
-/// in an order that says nothing.
+/// What is found of points that happen to lie like pixels may be wrong: depth_image() tells. Of a view from
+/// farther than some sizes of the box, nothing is found: it has no place. `places`: in a box of side 1.
 std::optional<Vec3> raster_viewpoint(const std::vector<Vec3>& places, const SiteGeometry& geometry);
 
 }  // namespace filmsticking

@@ -184,11 +184,11 @@ void run(const PointsView& points, const Options& options, const Execution& exec
   if (!options.keep_outliers) report.outliers = drop_outliers(sites, points, geometry);
   Pipeline pipeline(sites, geometry, options, monitor, report);
   GuidingSurface film;
-  std::optional<Pipeline::VisibleSurface> visible;
+  std::optional<DepthImage> visible;
   if (options.open_boundary && options.initial_surface == InitialSurface::Carve)
     visible = pipeline.visible_surface(points);
   const Vec3* viewpoint = visible ? &visible->viewpoint : nullptr;
-  if (visible) film = std::move(visible->film);
+  if (visible) film = std::move(visible->surface);
   if (!viewpoint) {
     monitor.enter("triangulation", monitor.share());
     Tetrahedra tetrahedra;
@@ -213,7 +213,7 @@ void run(const PointsView& points, const Options& options, const Execution& exec
     changed(remove_cap_faces(film, topology->twin));
     if (options.open_boundary && !topology->check.closed) {
       if (!viewpoint) changed(remove_meeting_faces(film, geometry, monitor.cancel()));
-      changed(fill_pinholes(film, topology->twin, geometry));
+      changed(fill_pinholes(film, topology->twin, geometry, viewpoint));
     }
     if (options.sharp_edges) {
       monitor.enter("sharp edges", monitor.share());

@@ -36,6 +36,7 @@ void Accumulator::add(const io::Model& frame) {
 void Accumulator::clear() {
   held_.clear();
   cells_.clear();
+  viewpoint_.reset();
 }
 
 io::Model Accumulator::cloud() const {

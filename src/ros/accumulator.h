@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -64,7 +65,7 @@ class Accumulator {
   std::unordered_map<Cell, std::size_t, CellHash> cells_;  // where in held_ the cell's point is
   std::int64_t frame_ = 0;                                 // the newest
   std::int64_t given_up_ = 0;
-  Point viewpoint_{};
+  std::optional<Point> viewpoint_;
 };
 
 }  // namespace filmsticking::stream

@@ -145,6 +145,7 @@ class Node {
   void take(const sensor_msgs::PointCloud2& cloud) {
     try {
       io::Model frame = to_model(cloud);
+      frame.viewpoint = Point{0, 0, 0};  // of a sensor's own frame
       keep_range(frame, config_.min_range, config_.max_range);
       if (cloud.header.frame_id != frame_id_)
         move(

@@ -25,7 +25,7 @@ void move(io::Model& frame, const Pose& pose) {
     p = {moved[0], moved[1], moved[2]};
   };
   for (Point& p : frame.positions) move(p);
-  move(frame.viewpoint);
+  if (frame.viewpoint) move(*frame.viewpoint);
 }
 
 }  // namespace filmsticking::stream

@@ -123,9 +123,9 @@ TEST(RasterViewpoint, IsWhereTheRowsMeet) {
           pixels.end());
       Vec3 viewpoint;
       const auto places = in_unit_box(pixels, random_pose(random), viewpoint);
-      const auto found = depth_image_viewpoint(places, site_geometry(places), {});
+      const auto found = depth_image(places, site_geometry(places), {});
       ASSERT_TRUE(found);
-      EXPECT_LT((*found - viewpoint).norm(), 0.02);
+      EXPECT_LT((found->viewpoint - viewpoint).norm(), 0.02);
     }
 }
 
@@ -148,26 +148,85 @@ TEST(RasterViewpoint, OfNoRasterIsNothing) {
     }
 }
 
-// The planes of its sides meet in a corner, from where these are lines.
-TEST(DepthImage, ABoxIsNone) {
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    std::vector<Vec3> places;
-    for (const Point& p : test::box(4000, seed, {1, 2, 3}))
-      places.push_back(Vec3(p[0] - 0.5, p[1] - 1, p[2] - 1.5) / 3);
-    EXPECT_FALSE(depth_image_viewpoint(places, site_geometry(places), {})) << seed;
-  }
+/// An image of the hills whose pixels are beside their places, so that rows are none.
+std::vector<Vec3> image_without_rows(const Depth& depth, test::Random& random) {
+  std::vector<Vec3> pixels;
+  for (int v = 0; v < 40; ++v)
+    for (int u = 0; u < 40; ++u) {
+      const double x = (u + 0.25 * random.uniform(-1, 1)) / 20 - 1,
+                   y = (v + 0.25 * random.uniform(-1, 1)) / 20 - 1;
+      pixels.push_back(depth(x, y) * Vec3(x, y, 1));
+    }
+  return pixels;
 }
 
+// From some places all is seen once as well: nearer to the ball, say.
 TEST(DepthImage, IsNoneFromElsewhere) {
-  test::Random random(1);
-  Vec3 viewpoint;
-  const auto places = in_unit_box(image_of(ball_and_wall, 60), random_pose(random), viewpoint);
-  for (int i = 0; i < 10; ++i) {
-    const Point d = random.direction();
-    const Vec3 guess = viewpoint + 0.3 * Vec3(d[0], d[1], d[2]);
-    const auto found = depth_image_viewpoint(places, site_geometry(places), guess);
-    ASSERT_TRUE(found);
-    EXPECT_LT((*found - viewpoint).norm(), 0.02);  // not the guess
+  int images = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    test::Random random(seed);
+    Vec3 viewpoint;
+    const auto places =
+        in_unit_box(image_without_rows(ball_and_wall, random), random_pose(random), viewpoint);
+    const SiteGeometry geometry = site_geometry(places);
+    EXPECT_FALSE(depth_image(places, geometry, {}));
+    EXPECT_TRUE(depth_image(places, geometry, viewpoint));
+    for (int i = 0; i < 10; ++i) {
+      const Point d = random.direction();
+      if (depth_image(places, geometry, viewpoint + 0.5 * Vec3(d[0], d[1], d[2]))) ++images;
+    }
+  }
+  EXPECT_LE(images, 6);
+}
+
+/// Regular samples, which a viewpoint sees apart from each other, on both sides of the shape: plates of some
+/// thicknesses, in spacings, a cube, a ball, a ring and a tube.
+std::vector<std::vector<Vec3>> regular_shapes() {
+  std::vector<std::vector<Vec3>> shapes;
+  shapes.reserve(9);  // references to them stay
+  constexpr int kSide = 60;
+  for (const double thickness : {0.5, 1.0, 2.0, 3.0, 5.0}) {
+    std::vector<Vec3>& plate = shapes.emplace_back();
+    for (int i = 0; i <= kSide; ++i)
+      for (int j = 0; j <= kSide; ++j)
+        for (double z = 0; z <= thickness; z += std::min(1.0, thickness))
+          if (z == 0 || z == thickness || i % kSide == 0 || j % kSide == 0)
+            plate.push_back(Vec3(i, j, z) / kSide - Vec3(0.5, 0.5, 0));
+  }
+  std::vector<Vec3>& cube = shapes.emplace_back();
+  for (int i = 0; i <= 25; ++i)
+    for (int j = 0; j <= 25; ++j)
+      for (int k = 0; k <= 25; ++k)
+        if (i % 25 == 0 || j % 25 == 0 || k % 25 == 0)
+          cube.push_back(Vec3(i, j, k) / 25 - Vec3(0.5, 0.5, 0.5));
+  std::vector<Vec3>& ball = shapes.emplace_back();
+  for (int i = 0; i < 3000; ++i) {
+    const double z = 1 - (2 * i + 1.0) / 3000, r = std::sqrt(1 - z * z), a = 2.399963229728653 * i;
+    ball.push_back(Vec3(r * std::cos(a), r * std::sin(a), z) / 2);
+  }
+  std::vector<Vec3>&ring = shapes.emplace_back(), &tube = shapes.emplace_back();
+  for (int i = 0; i < 120; ++i)
+    for (int j = 0; j < 40; ++j) {
+      const double a = 2 * M_PI * i / 120, b = 2 * M_PI * j / 40, r = 0.36 + 0.14 * std::cos(b);
+      ring.emplace_back(r * std::cos(a), r * std::sin(a), 0.14 * std::sin(b));
+      tube.emplace_back(0.1 * std::cos(b), 0.1 * std::sin(b), i / 119.0 - 0.5);
+    }
+  return shapes;
+}
+
+TEST(DepthImage, RegularSamplesOfAClosedShapeAreNone) {
+  int shape = 0;
+  for (const std::vector<Vec3>& places : regular_shapes()) {
+    const SiteGeometry geometry = site_geometry(places);
+    EXPECT_FALSE(depth_image(places, geometry, {})) << shape;
+    test::Random random(1);
+    for (const double distance : {1.5, 3.0, 6.0, 20.0, 90.0})
+      for (int i = 0; i < 4; ++i) {
+        const Point d = random.direction();
+        EXPECT_FALSE(depth_image(places, geometry, distance * Vec3(d[0], d[1], d[2])))
+            << shape << " from " << distance << ", " << i;
+      }
+    ++shape;
   }
 }
 
@@ -276,14 +335,8 @@ TEST(DepthImage, AClosedShapeAroundTheGuessIsNone) {
 TEST(DepthImage, AGuessTellsTheFrontOfASheet) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     test::Random random(seed);
-    std::vector<Vec3> pixels;
-    for (int v = 0; v < 40; ++v)
-      for (int u = 0; u < 40; ++u) {
-        const double x = (u + 0.25 * random.uniform(-1, 1)) / 20 - 1,
-                     y = (v + 0.25 * random.uniform(-1, 1)) / 20 - 1;
-        pixels.push_back((3 + 0.2 * x * x) * Vec3(x, y, 1));
-      }
-    EXPECT_FALSE(depth_image_viewpoint(pixels, site_geometry(pixels), {}));
+    const auto pixels = image_without_rows([](double x, double) { return 3 + 0.2 * x * x; }, random);
+    EXPECT_FALSE(depth_image(pixels, site_geometry(pixels), {}));
     const auto points = cloud_of(pixels, Eigen::Isometry3d::Identity(), random);
     for (const double z : {0, 6}) {
       const Result result = reconstruct_open(points, Point{0, 0, z});
@@ -301,6 +354,25 @@ TEST(DepthImage, AGuessThatIsNoNumberIsNoMatter) {
     EXPECT_EQ(reconstruct_open(points, Point{x, 0, 0}).triangles, reconstruct_open(points).triangles);
     const auto ball = test::sphere(1000, 1);
     EXPECT_EQ(reconstruct_open(ball, Point{0, x, x}).triangles, reconstruct_open(ball).triangles);
+  }
+}
+
+// From there all points are in one direction, and each search for the nearest looked at all of them.
+TEST(DepthImage, Regression_AGuessFarAwayIsNoHang) {
+  const auto ball = test::sphere(30000, 1);
+  EXPECT_EQ(reconstruct_open(ball, Point{1e20, 0.7e20, 0.3e20}).triangles, reconstruct_open(ball).triangles);
+}
+
+TEST(DepthImage, ThreadsAreNoMatter) {
+  test::Random random(1);
+  const auto points = cloud_of(image_of(in_steps(ball_and_wall, 0.003), 150), random_pose(random), random);
+  Options options;
+  options.open_boundary = true;
+  options.threads = 1;
+  const Result first = reconstruct(points, options);
+  for (const int threads : {2, 5}) {
+    options.threads = threads;
+    EXPECT_EQ(reconstruct(points, options).triangles, first.triangles);
   }
 }
 

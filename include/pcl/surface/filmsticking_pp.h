@@ -197,10 +197,10 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
 
   /** \brief Set where the points may have been seen from, in place of the cloud's sensor origin.
    *
-   * With setOutputBoundary(), a depth image (an organized cloud of a depth camera, or all that is left of
-   * one) gives the surface that shows all its faces to its viewpoint. Mostly the points themselves say where
-   * that is; where they do not, this is tried. Of points that are no depth image from there, it changes
-   * nothing.
+   * A depth image (an organized cloud of a depth camera, or all that is left of one) gives the surface that
+   * shows all its faces to its viewpoint with setOutputBoundary(), and else what is behind it. Mostly the
+   * points themselves say where that is; where they do not, this is tried. Of points that are no depth image
+   * from there, it changes nothing.
    */
   void setViewPoint(float vpx, float vpy, float vpz) { options_.viewpoint = {vpx, vpy, vpz}; }
 

@@ -24,7 +24,8 @@ constexpr std::size_t kNeighbours = 12;
 SiteGeometry site_geometry(const std::vector<Vec3>& sites);
 
 /// Describes one site by its `near`est, itself first.
-void describe_site(SiteGeometry& geometry, const std::vector<Vec3>& sites, Index site, const std::vector<Index>& near);
+void describe_site(SiteGeometry& geometry, const std::vector<Vec3>& sites, Index site,
+                   const std::vector<Index>& near);
 
 /// How far the farthest neighbour of a site is that has kNeighbours.
 double neighbour_radius(const SiteGeometry& geometry, Index site);
