@@ -417,7 +417,8 @@ Pipeline::Candidate Pipeline::cut_depth_image() {
 
 // By local evidence alone; where its first cut leaves many sites off, also by carving at a few widths and
 // convictions, and where there is no telling inside from outside (open surfaces), by the film from the
-// sphere. A depth image that is to be closed tells. The best of these is cut again by its own normals.
+// sphere. The best of these is cut again by its own normals. Of a depth image, all of this knows less than the
+// image.
 Pipeline::Candidate Pipeline::carve() {
   monitor_.enter("signed field", 0.25);
   Candidate best = cut(signed_field(mesh_, evidence_, std::move(guess_), monitor_.cancel()), kConviction);
