@@ -363,6 +363,51 @@ TEST(DepthImage, Regression_AGuessFarAwayIsNoHang) {
   EXPECT_EQ(reconstruct_open(ball, Point{1e20, 0.7e20, 0.3e20}).triangles, reconstruct_open(ball).triangles);
 }
 
+// Depths of all sizes, by chance, in rows and columns of their own, along one line of sight, and images of
+// one row.
+TEST(DepthImage, AnyDepthsKeepThePromise) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(seed);
+    test::Random random(seed);
+    const int kind = static_cast<int>(seed % 6), n = 12 + random.below(14);
+    std::vector<double> of_row;
+    for (int i = 0; i < n; ++i) of_row.push_back(std::exp(random.uniform(0, 3)));
+    const Depth depth = [&](double x, double y) -> double {
+      const int u = static_cast<int>((x + 1) / 2 * n), v = static_cast<int>((y + 1) / 2 * n);
+      switch (kind) {
+        case 0:
+          return std::exp(random.uniform(-4, 4));
+        case 1:
+          return of_row[v];
+        case 2:
+          return of_row[u] * (random.below(2) == 0 ? 1 : 1.001);
+        case 3:
+          return v == n / 2 ? 1 + random.uniform() : INFINITY;
+        case 4:
+          return random.below(3) == 0 ? INFINITY : 1 / random.uniform();
+        default:
+          return random.below(40) == 0 ? 1000 : 1 + 1e-6 * random.uniform();
+      }
+    };
+    std::vector<Vec3> pixels = image_of(depth, n);
+    if (kind == 3) {
+      for (int i = 0; i < 400; ++i) pixels.push_back(random.uniform(1, 9) * Vec3(0.1, 0.2, 1));
+      pixels.emplace_back(1, 2, 3);
+    }
+    const auto points = cloud_of(pixels, random_pose(random), random);
+    for (const bool open : {false, true}) {
+      Options options;
+      options.open_boundary = open;
+      options.viewpoint = points[0];  // on which it stands
+      const Result result = reconstruct(points, options);
+      if (result.status == Status::Ok)
+        EXPECT_EQ(test::surface_fault(mesh_of(result, points), open), "");
+      else
+        EXPECT_EQ(result.status, Status::NoSurface) << result.message;
+    }
+  }
+}
+
 TEST(DepthImage, ThreadsAreNoMatter) {
   test::Random random(1);
   const auto points = cloud_of(image_of(in_steps(ball_and_wall, 0.003), 150), random_pose(random), random);
