@@ -140,6 +140,7 @@ TEST(Frame, KeepsWhatIsInRangeWithItsColour) {
 
 TEST(Frame, MovesAsThePoseTells) {
   io::Model frame = frame_of({{1, 0, 0}});
+  frame.viewpoint = Point{0, 0, 0};
   Pose pose = Pose::Identity();
   pose.linear() << 0, -1, 0, 1, 0, 0, 0, 0, 1;  // a quarter turn about z
   pose.translation() << 10, 20, 30;
