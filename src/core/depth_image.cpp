@@ -14,7 +14,6 @@
 #include <utility>
 
 #include "film.h"
-#include "film_quality.h"
 #include "nearest.h"
 #include "open_surface.h"
 #include "parallel.h"
@@ -225,7 +224,36 @@ std::vector<float> wider_gaps(const GuidingSurface& film, const std::vector<Poin
   return gaps;
 }
 
+/// How far an image's surface may be from what is known of its places: the share of the sites off it, and its
+/// disagreement (FilmQuality).
+struct Slack {
+  double off, disagreement;
+};
+// Where pixels lie anyhow: a plate 0.2 spacings thick disagrees by 0.053.
+constexpr Slack kSmooth{0.001, 0.04};
+
+// The surface from a viewpoint, if it leaves few sites off, is in few parts and follows the planes fitted to
+// neighbours.
+std::optional<DepthImage> image_within(const Slack& slack, const std::vector<Vec3>& places,
+                                       const Vec3& viewpoint, const SiteGeometry& geometry,
+                                       const Cancel& cancel) {
+  DepthImage image{viewpoint, depth_image_surface(places, viewpoint, geometry, cancel), {}};
+  image.quality = film_quality(image.surface, geometry);
+  const double sites = static_cast<double>(places.size());
+  if (static_cast<double>(image.quality.off) > slack.off * sites ||
+      static_cast<double>(image.quality.complexity) > kFewParts * sites ||
+      image.quality.disagreement > slack.disagreement)
+    return {};
+  return image;
+}
+
 }  // namespace
+
+std::optional<DepthImage> image_from(const std::vector<Vec3>& places, const Vec3& viewpoint,
+                                     const SiteGeometry& geometry, const Cancel& cancel) {
+  if (!(viewpoint.norm() < kFarthest) || !to_one_side(directions(places, viewpoint))) return {};
+  return image_within({kFewOff, kSteps}, places, viewpoint, geometry, cancel);
+}
 
 std::optional<DepthImage> depth_image(const std::vector<Vec3>& places, const SiteGeometry& geometry,
                                       const std::optional<Vec3>& guess, const Cancel& cancel) {
@@ -235,15 +263,10 @@ std::optional<DepthImage> depth_image(const std::vector<Vec3>& places, const Sit
     const std::vector<Vec3> seen = directions(places, *viewpoint);
     if (!to_one_side(seen)) continue;
     const Spread spread = spread_of(seen, cancel);
-    if (!spread.apart) continue;
-    DepthImage image{*viewpoint, depth_image_surface(places, *viewpoint, geometry, cancel)};
-    const FilmQuality quality = film_quality(image.surface, geometry);
-    const double sites = static_cast<double>(places.size()),
-                 most = viewpoint == found || spread.squares ? kSteps : kRough;
-    if (static_cast<double>(quality.off) > kFewOff * sites ||
-        static_cast<double>(quality.complexity) > kFewParts * sites || quality.disagreement > most)
-      continue;
-    return image;
+    const Slack slack = !spread.apart                          ? kSmooth
+                        : viewpoint == found || spread.squares ? Slack{kFewOff, kSteps}
+                                                               : Slack{kFewOff, kRough};
+    if (auto image = image_within(slack, places, *viewpoint, geometry, cancel)) return image;
   }
   return {};
 }

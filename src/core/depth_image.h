@@ -6,6 +6,7 @@
 
 #include "field/site_geometry.h"
 #include "field/tetrahedral_mesh.h"
+#include "film_quality.h"
 #include "guiding_surface.h"
 #include "work_limits.h"
 
@@ -15,6 +16,7 @@ namespace filmsticking {
 struct DepthImage {
   Vec3 viewpoint;
   GuidingSurface surface;  ///< depth_image_surface()
+  FilmQuality quality;     ///< its own
 };
 
 /// The depth image whose pixels the places are, in a box of side 1; nothing if they are none. Its viewpoint
@@ -26,6 +28,12 @@ struct DepthImage {
 /// many parts or winds through both, against the planes fitted to neighbours, and they are no image, either.
 std::optional<DepthImage> depth_image(const std::vector<Vec3>& places, const SiteGeometry& geometry,
                                       const std::optional<Vec3>& guess, const Cancel& cancel = {});
+
+/// What the places are if all that can be seen of them is seen from that viewpoint, in no order: to one side
+/// of it, on a surface that leaves out hardly one. Nothing if they are not. Two surfaces one close behind the
+/// other may be, too: what else is known must tell.
+std::optional<DepthImage> image_from(const std::vector<Vec3>& places, const Vec3& viewpoint,
+                                     const SiteGeometry& geometry, const Cancel& cancel = {});
 
 /// The surface of a depth image: the Delaunay triangulation of its pixels, with edges flipped where they are
 /// shorter in space, without the faces that no data supports, in space or in the image (remove_bridges()).

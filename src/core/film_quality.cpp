@@ -49,6 +49,7 @@ FilmQuality film_quality(const GuidingSurface& film, const SiteGeometry& geometr
   const std::int64_t rim = std::count(twin.begin(), twin.end(), kNone);
   const auto faces = static_cast<std::int64_t>(film.triangles.size());
   const std::int64_t euler = static_cast<std::int64_t>(film.positions.size()) - (faces + rim) / 2;
+  quality.handles = std::max<std::int64_t>(0, 2 * pieces - euler - boundary_loops(twin)) / 2;
   quality.complexity = pieces + std::max<std::int64_t>(0, 2 * pieces - euler) / 2;
   quality.off =
       static_cast<std::int64_t>(geometry.spacing.size()) - attracted_points(film, geometry.spacing.size());

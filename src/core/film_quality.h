@@ -18,6 +18,7 @@ struct FilmQuality {
   std::int64_t wide_faces =
       0;                ///< faces with an empty circle of more than three spacings: plates and bridges
   double bridging = 0;  ///< their share of the area
+  std::int64_t handles = 0;
   std::int64_t complexity = 0;  ///< components and handles, and half the holes with a rim
   std::int64_t off = 0;         ///< sites off the film
 };

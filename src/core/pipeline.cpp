@@ -75,8 +75,15 @@ constexpr double kMuchBetter = 0.9;
 // Tetrahedra a site above which the points are on no surface, but on two curves, say.
 constexpr std::int64_t kMostForVirtual = 64;
 
-// Which is best, chance and noise say: of an open surface, where some of it is turned over against the rest, the
-// best of these is taken. No more than this share of neighbours face opposite ways where it is not.
+// What a surface costs of which all neighbours face opposite ways, and what a handle of an open surface
+// costs, in sites off it. Seen from where it was seen from, it is open where no fewer lines cross it oddly.
+constexpr double kConflictPrice = 2, kHandlePrice = 20, kSeenOpen = 0.4;
+// The disagreement (FilmQuality) of a view through both sides of a plate 0.4 spacings thick, which is open as
+// soon as closed; and what the looseness of a closed surface must be of another's, to be taken in its place.
+constexpr double kThinnest = 0.15, kMuchPlainer = 0.5;
+
+// Which is best, chance and noise say: of an open surface, where some of it is turned over against the rest,
+// the best of these is taken. No more than this share of neighbours face opposite ways where it is not.
 constexpr RimRule kFirstRim{3, 0.03}, kSecondRim{2, 0.03}, kThirdRim{3, 0.3};
 constexpr double kLittleConflict = 0.005;
 // What a surface costs of which half shows its back to the point that it was seen from, times two.
@@ -87,9 +94,9 @@ constexpr double kTurnedPrice = 0.5;
 constexpr double kMostComplex = 0.015;
 
 // Two sides are those of a plain open surface if they have no more than these: sites off their first cut, and
-// components and handles, by sites; and neighbours that face opposite ways, by those of the first surface, where
-// that has no inside and where it may have one. A lid must be more of the area than the last, where the result is
-// closed; where it may be open, their score must be the better one.
+// components and handles, by sites; and neighbours that face opposite ways, by those of the first surface,
+// where that has no inside and where it may have one. A lid must be more of the area than the last, where the
+// result is closed; where it may be open, their score must be the better one.
 constexpr double kPlainWeak = 0.02, kPlainComplex = 0.01, kPlainConflict = 0.75, kFarLessConflict = 0.25,
                  kLid = 0.2;
 
@@ -100,9 +107,14 @@ bool of_sites(const GuidingSurface& film) {
 
 }  // namespace
 
-Pipeline::Pipeline(const SiteSet& sites, const SiteGeometry& geometry, const Options& options,
-                   Monitor& monitor, Report& report)
-    : sites_(sites), geometry_(geometry), options_(options), monitor_(monitor), report_(report) {}
+Pipeline::Pipeline(const PointsView& points, const SiteSet& sites, const SiteGeometry& geometry,
+                   const Options& options, Monitor& monitor, Report& report)
+    : points_(points),
+      sites_(sites),
+      geometry_(geometry),
+      options_(options),
+      monitor_(monitor),
+      report_(report) {}
 
 double Pipeline::Candidate::score() const {
   if (film.triangles.empty()) return std::numeric_limits<double>::infinity();
@@ -112,6 +124,19 @@ double Pipeline::Candidate::score() const {
          (static_cast<double>(quality.off) + 0.2 * static_cast<double>(inserted) +
           kComplexityPrice * static_cast<double>(quality.complexity)) /
              sites;
+}
+
+// Of an open surface whose faces may be rough; lower is better.
+double Pipeline::looseness(const FilmQuality& quality) const {
+  return kConflictPrice * quality.conflict +
+         (static_cast<double>(quality.off) + kHandlePrice * static_cast<double>(quality.handles)) /
+             static_cast<double>(sites_.size());
+}
+
+// Of a closed one that must not have been closed by its sides alone.
+double Pipeline::looseness_closed(const FilmQuality& quality) const {
+  return (static_cast<double>(quality.off) + kHandlePrice * static_cast<double>(quality.complexity)) /
+         static_cast<double>(sites_.size());
 }
 
 void Pipeline::prepare(Tetrahedra tetrahedra) {
@@ -254,8 +279,8 @@ GuidingSurface Pipeline::film_of(const std::vector<char>& labels) const {
   return film;
 }
 
-// Of the candidate that was chosen, as its handles tell a bad one; or of copies of two, to compare them. Leaves
-// no `hold`.
+// Of the candidate that was chosen, as its handles tell a bad one; or of copies of two, to compare them.
+// Leaves no `hold`.
 Pipeline::Candidate Pipeline::without_gaps(Candidate candidate, Mend mend) {
   if (candidate.labels.empty()) return candidate;
   monitor_.enter("gaps", monitor_.share());
@@ -309,15 +334,15 @@ std::vector<double> Pipeline::film_belief(const GuidingSurface& film) const {
   return winding_belief(film);
 }
 
-GuidingSurface Pipeline::around_one_tetrahedron(const PointsView& points) {
+GuidingSurface Pipeline::around_one_tetrahedron() {
   monitor_.enter("manifold", monitor_.share());
   std::size_t fattest = 0;
   double most = 0;
   for (std::size_t t = 0; t < mesh_.size(); ++t) {
     if (mesh_.tets.infinite(static_cast<Index>(t))) continue;
     const auto& c = mesh_.tets.corners[t];
-    const Vec3 a = sites_.exact(points, c[0]), b = sites_.exact(points, c[1]), d = sites_.exact(points, c[2]),
-               e = sites_.exact(points, c[3]);
+    const Vec3 a = sites_.exact(points_, c[0]), b = sites_.exact(points_, c[1]),
+               d = sites_.exact(points_, c[2]), e = sites_.exact(points_, c[3]);
     const double volume = std::abs((b - a).cross(d - a).dot(e - a));
     if (volume > most) most = volume, fattest = t;
   }
@@ -340,8 +365,8 @@ bool Pipeline::settled(const Candidate& candidate) const {
 
 // Normals fitted to neighbourhoods are wrong where these reach across a thin wall or an edge; the film's own
 // are better there, once it is about right: with them as evidence, it is cut again. What comes of it counts
-// only if it is better by the measure that knows the fitted normals, gives up hardly any sites, and is not more
-// complex, as it is or with the gaps of both filled: a new handle may be a leak.
+// only if it is better by the measure that knows the fitted normals, gives up hardly any sites, and is not
+// more complex, as it is or with the gaps of both filled: a new handle may be a leak.
 Pipeline::Candidate Pipeline::refined(Candidate best) {
   for (int round = 0; round < kRefinements && !best.labels.empty(); ++round) {
     monitor_.enter("local evidence", monitor_.share());
@@ -358,8 +383,8 @@ Pipeline::Candidate Pipeline::refined(Candidate best) {
         judged(cut(signed_field(mesh_, evidence_, std::move(guess), monitor_.cancel()), kConviction));
     const double given_up = static_cast<double>(next.quality.off - best.quality.off);
     if (!(next.score() < best.score()) || given_up > kGivenUp * static_cast<double>(sites_.size())) break;
-    // A chance gap is no leak. They are filled in copies, to compare: a surface whose gaps are filled holds on to
-    // what is wrong beside them when it is cut again.
+    // A chance gap is no leak. They are filled in copies, to compare: a surface whose gaps are filled holds
+    // on to what is wrong beside them when it is cut again.
     if (next.quality.complexity > best.quality.complexity) {
       const std::int64_t filled = without_gaps(next).quality.complexity;
       if (filled > 1 && filled > without_gaps(best).quality.complexity) break;
@@ -369,14 +394,18 @@ Pipeline::Candidate Pipeline::refined(Candidate best) {
   return best;
 }
 
-// By the facets alone. Where some of an open surface is turned over against the rest, by other rules as well, and
-// if it is a scan from one side, by the point that it was seen from, which the first surfaces tell.
+Pipeline::Candidate Pipeline::cut_sides(const RimRule& rim, const Vec3* viewpoint, bool open) {
+  monitor_.enter("two sides", monitor_.share());
+  return judged(
+      cut(two_sides(mesh_, sites_.perturbed, evidence_, geometry_, rim, viewpoint, monitor_.cancel()),
+          kSidesConviction, open));
+}
+
+// By the facets alone. Where some of an open surface is turned over against the rest, by other rules as well,
+// and if it is a scan from one side, by the point that it was seen from, which the first surfaces tell.
 Pipeline::Candidate Pipeline::cut_two_sides() {
   const auto by_rule = [&](const RimRule& rim, const Vec3* viewpoint) {
-    monitor_.enter("two sides", monitor_.share());
-    return judged(cut(
-        two_sides(mesh_, sites_.perturbed, evidence_, geometry_, rim, viewpoint, monitor_.cancel()),
-        kSidesConviction, options_.open_boundary));
+    return cut_sides(rim, viewpoint, options_.open_boundary);
   };
   Candidate best = by_rule(kFirstRim, nullptr);
   if (!options_.open_boundary || best.quality.conflict <= kLittleConflict) return best;
@@ -393,32 +422,55 @@ Pipeline::Candidate Pipeline::cut_two_sides() {
   return price(next) < price(best) ? std::move(next) : std::move(best);
 }
 
+std::optional<Vec3> Pipeline::given_viewpoint() const {
+  if (!options_.viewpoint) return {};
+  return sites_.to_unit(*options_.viewpoint);
+}
+
+std::vector<Vec3> Pipeline::exact_places() const {
+  std::vector<Vec3> places(sites_.size());
+  parallel_each(places.size(), [&](std::size_t s) { places[s] = sites_.exact(points_, s); });
+  return places;
+}
+
 std::optional<DepthImage> Pipeline::image_of(const std::vector<Vec3>& places) {
   monitor_.enter("depth image", monitor_.share());
-  std::optional<Vec3> guess;
-  if (options_.viewpoint) guess = sites_.to_unit(*options_.viewpoint);
-  return depth_image(places, geometry_, guess, monitor_.cancel());
+  return depth_image(places, geometry_, given_viewpoint(), monitor_.cancel());
 }
 
-std::optional<DepthImage> Pipeline::visible_surface(const PointsView& points) {
-  std::vector<Vec3> places(sites_.size());
-  parallel_each(places.size(), [&](std::size_t s) { places[s] = sites_.exact(points, s); });
-  return image_of(places);
+std::optional<DepthImage> Pipeline::visible_surface() {
+  std::optional<DepthImage> image = image_of(exact_places());
+  if (image) viewpoint_ = image->viewpoint;
+  return image;
 }
 
-// By what is before and behind a depth image, if the sites are one. Its gaps are those of its steps.
-Pipeline::Candidate Pipeline::cut_depth_image() {
-  const std::optional<DepthImage> image = image_of(sites_.perturbed);
-  if (!image) return {};
-  const std::vector<double> sides =
-      depth_image_sides(mesh_, sites_.perturbed, image->viewpoint, monitor_.cancel());
+// All of the sites, seen from the viewpoint that the caller gives, if they may be: a thinned or rough depth
+// image is none by its pixels.
+std::optional<DepthImage> Pipeline::given_view() {
+  const std::optional<Vec3> viewpoint = given_viewpoint();
+  if (!viewpoint) return {};
+  monitor_.enter("depth image", monitor_.share());
+  return image_from(exact_places(), *viewpoint, geometry_, monitor_.cancel());
+}
+
+// They are, if what is found without that is open, seen from there, and has more handles or folds, of which
+// an image has hardly any by nature.
+bool Pipeline::is_better_view(const DepthImage& image, const Candidate& found) const {
+  Candidate open;
+  open.film = found.film;
+  remove_bridges(open.film, geometry_);
+  return crossed_oddly(open.film, image.viewpoint, monitor_.cancel()) >= kSeenOpen &&
+         looseness(image.quality) < looseness(judged(std::move(open)).quality);
+}
+
+// By what is before and behind a depth image. Its gaps are those of its steps.
+Pipeline::Candidate Pipeline::cut_image(const Vec3& viewpoint) {
+  const std::vector<double> sides = depth_image_sides(mesh_, sites_.perturbed, viewpoint, monitor_.cancel());
   return without_gaps(judged(cut(sides, kConviction)), Mend::Plugs);
 }
 
-// By local evidence alone; where its first cut leaves many sites off, also by carving at a few widths and
-// convictions, and where there is no telling inside from outside (open surfaces), by the film from the
-// sphere. The best of these is cut again by its own normals. Of a depth image, all of this knows less than the
-// image.
+// By local evidence alone; where its first cut leaves many sites off, in other ways, too. Of a depth image,
+// all of these know less than the image.
 Pipeline::Candidate Pipeline::carve() {
   monitor_.enter("signed field", 0.25);
   Candidate best = cut(signed_field(mesh_, evidence_, std::move(guess_), monitor_.cancel()), kConviction);
@@ -428,28 +480,64 @@ Pipeline::Candidate Pipeline::carve() {
     if (best.quality.complexity > 1) best = without_gaps(std::move(best), Mend::Plugs);
     return best;
   }
-  bool two_sided = false;  // with its normals there still is no inside
-  if (best.weak > kSomeTrouble) {
-    if (!options_.open_boundary)
-      if (Candidate image = cut_depth_image(); !image.film.triangles.empty() && image.weak <= kNoInside)
-        return image;
-    Candidate sides = cut_two_sides();
-    const double complexity =
-        static_cast<double>(sides.quality.complexity) / static_cast<double>(sites_.size());
-    // A plain open surface: nothing else can be better, and all else takes long there. Closed, it has faces
-    // that nothing supports, and so a bad score; but what is closed and thin instead has none, and winds between
-    // its sides, where neighbours face both ways.
-    const bool no_inside = best.weak > kNoInside;
-    const bool better = sides.score() < (no_inside ? 1 : kMuchBetter) * best.score();
-    const bool best_open = options_.open_boundary && sides.weak <= kLittleTrouble &&
-                           complexity <= kLittleTrouble && better;
-    const bool open = options_.open_boundary ? sides.score() < best.score() : sides.quality.bridging > kLid;
-    const bool plain =
-        open && sides.weak <= kPlainWeak && complexity <= kPlainComplex &&
-        sides.quality.conflict < (no_inside ? kPlainConflict : kFarLessConflict) * best.quality.conflict;
-    if (best_open || plain) return options_.open_boundary ? std::move(sides) : without_gaps(std::move(sides));
-    if (complexity <= kMostComplex && better) best = std::move(sides), two_sided = true;
+  if (best.weak <= kSomeTrouble) return carve_further(std::move(best), false);
+
+  if (!options_.open_boundary)
+    if (const auto image = image_of(sites_.perturbed))
+      if (Candidate closed = cut_image(image->viewpoint); has_shape(closed)) return closed;
+  const std::optional<DepthImage> view = given_view();
+  Candidate sides = cut_two_sides();
+  const auto by_view = [&] {
+    if (!options_.open_boundary) return cut_image(view->viewpoint);
+    Candidate seen;
+    seen.film = view->surface;
+    viewpoint_ = view->viewpoint;
+    return seen;
+  };
+  if (view && view->quality.disagreement <= kThinnest) {
+    // A closed surface that follows both sides of an open one tells nothing.
+    const Candidate closed = options_.open_boundary ? Candidate() : cut_sides(kFirstRim, nullptr, true);
+    const bool better = sides.score() < best.score();
+    if (is_better_view(*view, !options_.open_boundary ? closed : better ? sides : best))
+      if (Candidate seen = by_view(); options_.open_boundary || has_shape(seen)) return seen;
   }
+  best = with_sides(std::move(best), std::move(sides));
+  // What is rough may be a thin wall, too, but that comes out closed and plain.
+  if (!view) return best;
+  if (options_.open_boundary) return is_better_view(*view, best) ? by_view() : std::move(best);
+  Candidate seen = by_view();
+  const bool plainer = looseness_closed(seen.quality) < kMuchPlainer * looseness_closed(best.quality);
+  return has_shape(seen) && plainer ? std::move(seen) : std::move(best);
+}
+
+bool Pipeline::has_shape(const Candidate& candidate) {
+  return !candidate.film.triangles.empty() && candidate.weak <= kNoInside;
+}
+
+// `sides`, if these are a plain open surface; else what carving makes of the better one.
+Pipeline::Candidate Pipeline::with_sides(Candidate best, Candidate sides) {
+  const double complexity =
+      static_cast<double>(sides.quality.complexity) / static_cast<double>(sites_.size());
+  // A plain open surface: nothing else can be better, and all else takes long there. Closed, it has faces
+  // that nothing supports, and so a bad score; but what is closed and thin instead has none, and winds
+  // between its sides, where neighbours face both ways.
+  const bool no_inside = best.weak > kNoInside;
+  const bool better = sides.score() < (no_inside ? 1 : kMuchBetter) * best.score();
+  const bool best_open =
+      options_.open_boundary && sides.weak <= kLittleTrouble && complexity <= kLittleTrouble && better;
+  const bool open = options_.open_boundary ? sides.score() < best.score() : sides.quality.bridging > kLid;
+  const bool plain =
+      open && sides.weak <= kPlainWeak && complexity <= kPlainComplex &&
+      sides.quality.conflict < (no_inside ? kPlainConflict : kFarLessConflict) * best.quality.conflict;
+  if (best_open || plain) return options_.open_boundary ? std::move(sides) : without_gaps(std::move(sides));
+  const bool two_sided = complexity <= kMostComplex && better;
+  return carve_further(two_sided ? std::move(sides) : std::move(best), two_sided);
+}
+
+// By carving at a few widths and convictions, and where there is no telling inside from outside (open
+// surfaces), by the film from the sphere. The best of these is cut again by its own normals. `two_sided`:
+// with these there still is no inside.
+Pipeline::Candidate Pipeline::carve_further(Candidate best, bool two_sided) {
   for (const auto& carving : kCarvings) {
     // Of slabs and shells it made nothing better than two sides, and it takes as long again.
     if (two_sided && carving.conviction > kConviction) continue;

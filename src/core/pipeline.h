@@ -9,6 +9,7 @@
 #include "field/facet_evidence.h"
 #include "field/site_geometry.h"
 #include "field/tetrahedral_mesh.h"
+#include "field/two_sides.h"
 #include "film_quality.h"
 #include "filmsticking/options.h"
 #include "guiding_surface.h"
@@ -21,20 +22,23 @@ namespace filmsticking {
 /// From sites to the final film: the first film, its evolution, rounds of field and film, insertion.
 class Pipeline {
  public:
-  Pipeline(const SiteSet& sites, const SiteGeometry& geometry, const Options& options, Monitor& monitor,
-           Report& report);
+  /// `points`: what the sites were made of.
+  Pipeline(const PointsView& points, const SiteSet& sites, const SiteGeometry& geometry,
+           const Options& options, Monitor& monitor, Report& report);
 
   /// Closed manifold of sites, or empty. `tetrahedra`: of the perturbed sites.
   GuidingSurface run(Tetrahedra tetrahedra);
 
-  /// Instead of run(): the depth image that the sites are, with its open surface, or nothing. `points`: what
-  /// the sites were made of.
-  std::optional<DepthImage> visible_surface(const PointsView& points);
+  /// Instead of run(): the depth image that the sites are, with its open surface, or nothing.
+  std::optional<DepthImage> visible_surface();
+
+  /// After either: where the open surface was seen from, all of it, if it is a depth image's
+  /// (depth_image_surface()).
+  const std::optional<Vec3>& viewpoint() const { return viewpoint_; }
 
   /// The last resort, after run(): the tetrahedron of largest volume, and what sites it reaches. Closed
-  /// manifold of sites that encloses it; empty only if all tetrahedra are flat. `points`: what the sites were
-  /// made of.
-  GuidingSurface around_one_tetrahedron(const PointsView& points);
+  /// manifold of sites that encloses it; empty only if all tetrahedra are flat.
+  GuidingSurface around_one_tetrahedron();
 
  private:
   struct Candidate {
@@ -55,9 +59,19 @@ class Pipeline {
   std::vector<Vec3> with_virtual_sites(const GuidingSurface& film) const;
   Candidate finish(GuidingSurface film);
   Candidate cut(const std::vector<double>& belief, double conviction, bool open = false);
+  Candidate cut_sides(const RimRule& rim, const Vec3* viewpoint, bool open);
   Candidate cut_two_sides();
-  Candidate cut_depth_image();
+  std::vector<Vec3> exact_places() const;
+  std::optional<Vec3> given_viewpoint() const;
   std::optional<DepthImage> image_of(const std::vector<Vec3>& places);
+  std::optional<DepthImage> given_view();
+  bool is_better_view(const DepthImage& image, const Candidate& found) const;
+  double looseness(const FilmQuality& quality) const;
+  double looseness_closed(const FilmQuality& quality) const;
+  static bool has_shape(const Candidate& candidate);
+  Candidate with_sides(Candidate best, Candidate sides);
+  Candidate carve_further(Candidate best, bool two_sided);
+  Candidate cut_image(const Vec3& viewpoint);
   // By plugs alone, which is quick, or by all that may help.
   enum class Mend { Plugs, All };
   Candidate without_gaps(Candidate candidate, Mend mend = Mend::All);
@@ -73,6 +87,7 @@ class Pipeline {
   Candidate refined(Candidate best);
   void rounds(Candidate& best);
 
+  const PointsView& points_;
   const SiteSet& sites_;
   const SiteGeometry& geometry_;
   const Options& options_;
@@ -81,6 +96,7 @@ class Pipeline {
   PowerDiagram voronoi_;
   TetrahedralMesh mesh_;
   FacetEvidence evidence_;
+  std::optional<Vec3> viewpoint_;
   std::vector<double> guess_;  // the belief that the signed field starts from
 };
 

@@ -34,7 +34,8 @@ void fail(Result& result, Status status, std::string message) {
   result.gaps.clear();
 }
 
-// Memory of the largest moment, in bytes: by the points, the sites and the tetrahedra. Measured, and rounded up.
+// Memory of the largest moment, in bytes: by the points, the sites and the tetrahedra. Measured, and rounded
+// up.
 constexpr std::int64_t kBytesPerPoint = 32, kBytesPerSite = 500, kBytesPerTetrahedron = 300;
 // Sites on a surface have about this many tetrahedra each, and no sampled surface comes near the next figure;
 // below the last none are too many.
@@ -50,8 +51,9 @@ std::string megabytes(std::int64_t bytes) { return std::to_string((bytes + 99999
 std::optional<std::pair<Status, std::string>> refusal(std::int64_t points, std::int64_t sites,
                                                       std::int64_t tetrahedra, std::int64_t max_memory) {
   if (const std::int64_t bytes = bytes_for(points, sites, tetrahedra); max_memory > 0 && bytes > max_memory)
-    return std::pair(Status::OutOfMemory, "more than " + megabytes(bytes) + " of memory would be needed, and " +
-                                              megabytes(max_memory) + " are allowed");
+    return std::pair(Status::OutOfMemory, "more than " + megabytes(bytes) +
+                                              " of memory would be needed, and " + megabytes(max_memory) +
+                                              " are allowed");
   if (tetrahedra >= kFewTetrahedra + kMostTetrahedra * sites)
     return std::pair(Status::TooComplex, std::string(describe(Status::TooComplex)));
   return {};
@@ -114,22 +116,6 @@ void write_result(const GuidingSurface& film, const std::vector<float>& gaps, co
   });
 }
 
-// The number of closed loops of edges with one face. Of a manifold, which has one loop end at a vertex: the fan
-// there ends the inner search, and a loop comes back to where it was seen.
-std::int64_t boundary_loops(const std::vector<Index>& twin) {
-  std::vector<char> seen(twin.size(), 0);
-  std::int64_t loops = 0;
-  for (Index h = 0; h < static_cast<Index>(twin.size()); ++h) {
-    if (twin[h] != kNone || seen[h]) continue;
-    ++loops;
-    for (Index g = h; !seen[g];) {
-      seen[g] = 1;
-      for (g = next_in_face(g); twin[g] != kNone;) g = next_in_face(twin[g]);
-    }
-  }
-  return loops;
-}
-
 // `topology`: that of the film, of which the result is another numbering.
 void describe_result(Result& result, const SurfaceTopology& topology) {
   Report& report = result.report;
@@ -148,8 +134,7 @@ void describe_result(Result& result, const SurfaceTopology& topology) {
   report.genus = (2 * report.components - euler - report.boundary_loops) / 2;
 }
 
-void run(const PointsView& points, const Options& options, const Execution& execution,
-         Result& result) {
+void run(const PointsView& points, const Options& options, const Execution& execution, Result& result) {
   Report& report = result.report;
   report.points = static_cast<std::int64_t>(points.size());
   const std::string wrong = complaint(options);
@@ -171,7 +156,8 @@ void run(const PointsView& points, const Options& options, const Execution& exec
                     std::to_string(sites.size()));
   if (sites.coplanar(points)) return fail(result, Status::Coplanar, describe(Status::Coplanar));
 
-  if (const auto no = refusal(report.points, report.sites, kUsualTetrahedra * report.sites, options.max_memory))
+  if (const auto no =
+          refusal(report.points, report.sites, kUsualTetrahedra * report.sites, options.max_memory))
     return fail(result, no->first, no->second);
   TriangulationLimits limits{kFewTetrahedra + kMostTetrahedra * report.sites, monitor.cancel()};
   if (options.max_memory > 0)
@@ -182,14 +168,11 @@ void run(const PointsView& points, const Options& options, const Execution& exec
   monitor.enter("triangulation", 0.02);
   SiteGeometry geometry = site_geometry(sites.perturbed);
   if (!options.keep_outliers) report.outliers = drop_outliers(sites, points, geometry);
-  Pipeline pipeline(sites, geometry, options, monitor, report);
+  Pipeline pipeline(points, sites, geometry, options, monitor, report);
   GuidingSurface film;
-  std::optional<DepthImage> visible;
   if (options.open_boundary && options.initial_surface == InitialSurface::Carve)
-    visible = pipeline.visible_surface(points);
-  const Vec3* viewpoint = visible ? &visible->viewpoint : nullptr;
-  if (visible) film = std::move(visible->surface);
-  if (!viewpoint) {
+    if (auto visible = pipeline.visible_surface()) film = std::move(visible->surface);
+  if (!pipeline.viewpoint()) {
     monitor.enter("triangulation", monitor.share());
     Tetrahedra tetrahedra;
     try {
@@ -200,6 +183,7 @@ void run(const PointsView& points, const Options& options, const Execution& exec
     }
     film = pipeline.run(std::move(tetrahedra));
   }
+  const Vec3* viewpoint = pipeline.viewpoint() ? &*pipeline.viewpoint() : nullptr;
   std::optional<SurfaceTopology> topology;
   const auto orient = [&] {
     topology.emplace(film.triangles, static_cast<Index>(film.positions.size()));
@@ -218,7 +202,8 @@ void run(const PointsView& points, const Options& options, const Execution& exec
     if (options.sharp_edges) {
       monitor.enter("sharp edges", monitor.share());
       report.flips = flip_to_features(film, topology->twin, monitor.cancel(), viewpoint);
-      topology->check = check_manifold_with_twins(film.triangles, static_cast<Index>(film.site.size()), topology->twin);
+      topology->check =
+          check_manifold_with_twins(film.triangles, static_cast<Index>(film.site.size()), topology->twin);
     }
     if (!topology->check.manifold()) return true;
     std::vector<std::int32_t> ids(film.site.size());
@@ -228,12 +213,13 @@ void run(const PointsView& points, const Options& options, const Execution& exec
   };
   bool oriented = orient();
   // A closed film may be flat, by less than the points are perturbed: few points, mostly on a plane.
-  if (!oriented && !options.open_boundary) film = pipeline.around_one_tetrahedron(points), oriented = orient();
+  if (!oriented && !options.open_boundary) film = pipeline.around_one_tetrahedron(), oriented = orient();
   if (!oriented) return fail(result, Status::NoSurface, describe(Status::NoSurface));
   monitor.enter("result", 0.97);
   write_result(film, face_gaps(film, geometry), sites, result);
   describe_result(result, *topology);
-  if (result.vertices.size() != film.site.size() || !report.manifold || !(report.closed || options.open_boundary))
+  if (result.vertices.size() != film.site.size() || !report.manifold ||
+      !(report.closed || options.open_boundary))
     return fail(result, Status::InternalError, "the result is not a closed manifold");
   monitor.progress(1);
   result.status = Status::Ok;
@@ -281,8 +267,7 @@ const char* describe(Status status) noexcept {
   return "unknown status";
 }
 
-Result reconstruct(const PointsView& points, const Options& options,
-                   const Execution& execution) noexcept {
+Result reconstruct(const PointsView& points, const Options& options, const Execution& execution) noexcept {
   const auto start = std::chrono::steady_clock::now();
   Result result;
   const auto failed = [&](Status status, const char* message) {

@@ -106,7 +106,8 @@ bool single_rings(const std::vector<Corners>& triangles, const std::vector<Index
   return single;
 }
 
-// Around the origin of a half-edge, from it on, and where that ends at a border, the other way from the start.
+// Around the origin of a half-edge, from it on, and where that ends at a border, the other way from the
+// start.
 class FaceTurn {
  public:
   FaceTurn(const std::vector<Index>& twins, Index start) : twins_(twins), start_(start), at_(start) {}
@@ -257,6 +258,21 @@ Index connected_components(const std::vector<Index>& twins, std::vector<Index>& 
       sets.unite(static_cast<Index>(h / 3), twins[h] / 3);
   });
   return sets.number(component);
+}
+
+// One loop ends at a vertex: the fan there ends the inner search, and a loop comes back to where it was seen.
+std::int64_t boundary_loops(const std::vector<Index>& twin) {
+  std::vector<char> seen(twin.size(), 0);
+  std::int64_t loops = 0;
+  for (Index h = 0; h < static_cast<Index>(twin.size()); ++h) {
+    if (twin[h] != kNone || seen[h]) continue;
+    ++loops;
+    for (Index g = h; !seen[g];) {
+      seen[g] = 1;
+      for (g = next_in_face(g); twin[g] != kNone;) g = next_in_face(twin[g]);
+    }
+  }
+  return loops;
 }
 
 SurfaceTopology::SurfaceTopology(const std::vector<Corners>& triangles, Index vertex_count) {

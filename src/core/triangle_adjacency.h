@@ -49,6 +49,9 @@ void flip_edge(std::vector<Corners>& triangles, std::vector<Index>& twins, Index
 /// Connected components of a manifold: component[t] for every triangle, and their number.
 Index connected_components(const std::vector<Index>& twins, std::vector<Index>& component);
 
+/// The number of closed loops of a manifold's edges with one face.
+std::int64_t boundary_loops(const std::vector<Index>& twins);
+
 /// How triangles hang together. What is not a manifold has neither twins nor components.
 struct SurfaceTopology {
   ManifoldCheck check;

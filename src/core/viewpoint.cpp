@@ -73,19 +73,27 @@ std::vector<Edge> some_edges(const GuidingSurface& surface) {
   return edges;
 }
 
-// Does the line through x along a unit vector meet the surface farther than that from x?
-bool crosses_beyond(const GuidingSurface& surface, const Vec3& x, const Vec3& along, double distance) {
-  const double crossed = parallel_sum(surface.triangles.size(), [&](std::size_t t) {
+// How many times the line through x along a vector meets the surface farther than that from x, in its length;
+// the face that x is in aside, if there is one.
+std::size_t crossings(const GuidingSurface& surface, const Vec3& x, const Vec3& along, double beyond,
+                      Index aside = kNone) {
+  return static_cast<std::size_t>(parallel_sum(surface.triangles.size(), [&](std::size_t t) {
     const auto face = static_cast<Index>(t);
+    if (face == aside) return 0;
     const Vec3 a = surface.corner(face, 0) - x, b = surface.corner(face, 1) - x,
                c = surface.corner(face, 2) - x;
     const Vec3 bc = b.cross(c);
     const double u = along.dot(a.cross(b)), v = along.dot(bc), w = along.dot(c.cross(a));
     const bool crosses = (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
     // The line meets the plane of the face at a . bc / (u + v + w).
-    return crosses && std::abs(a.dot(bc)) > distance * std::abs(u + v + w) ? 1 : 0;
-  });
-  return crossed > 0;
+    return crosses && std::abs(a.dot(bc)) >= beyond * std::abs(u + v + w) ? 1 : 0;
+  }));
+}
+
+// A sample of the faces, for a line each: of a large surface they are fewer.
+std::size_t faces_between_lines(const GuidingSurface& surface) {
+  const std::size_t n = surface.triangles.size();
+  return n / std::clamp(kTests / (n + 1), kFewLines, kLines) + 1;
 }
 
 // The share of a component's area that shows its front to a point.
@@ -157,8 +165,7 @@ Vec3 common_viewpoint(const GuidingSurface& surface) {
 }
 
 bool seen_once(const GuidingSurface& surface, const Vec3& viewpoint, const Cancel& cancel) {
-  const std::size_t n = surface.triangles.size();
-  const std::size_t step = n / std::clamp(kTests / (n + 1), kFewLines, kLines) + 1;
+  const std::size_t n = surface.triangles.size(), step = faces_between_lines(surface);
   std::size_t lines = 0, again = 0;
   for (std::size_t i = 0; i < n; i += step) {
     cancel();
@@ -167,9 +174,22 @@ bool seen_once(const GuidingSurface& surface, const Vec3& viewpoint, const Cance
     double longest = 0;
     for (int k = 0; k < 3; ++k)
       longest = std::max(longest, (surface.corner(face, k) - surface.corner(face, (k + 1) % 3)).norm());
-    ++lines, again += crosses_beyond(surface, x, (viewpoint - x).normalized(), kFaceReach * longest);
+    ++lines;
+    again += crossings(surface, x, (viewpoint - x).normalized(), kFaceReach * longest) > 0;
   }
   return static_cast<double>(again) <= kCrossAgain * static_cast<double>(lines);
+}
+
+double crossed_oddly(const GuidingSurface& surface, const Vec3& viewpoint, const Cancel& cancel) {
+  const std::size_t n = surface.triangles.size(), step = faces_between_lines(surface);
+  std::size_t lines = 0, odd = 0;
+  for (std::size_t i = 0; i < n; i += step) {
+    cancel();
+    const auto face = static_cast<Index>(i);
+    const Vec3 x = middle(surface, face);
+    ++lines, odd += crossings(surface, x, viewpoint - x, 0, face) % 2 == 0;
+  }
+  return lines > 0 ? static_cast<double>(odd) / static_cast<double>(lines) : 0;
 }
 
 double turned_away(const GuidingSurface& surface, const Vec3& viewpoint) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 
 #include "filmsticking/reconstruct.h"
 #include "meeting.h"
@@ -46,6 +47,31 @@ double ball_and_wall(double x, double y) {
 /// Steps as of a structured-light camera: in equal disparities.
 Depth in_steps(const Depth& depth, double step) {
   return [=](double x, double y) { return 1 / (step * std::round(1 / (step * depth(x, y)))); };
+}
+
+/// The means of those in each cell of a grid, as pcl::VoxelGrid's.
+std::vector<Vec3> thinned(const std::vector<Vec3>& places, double leaf) {
+  std::map<std::array<double, 3>, std::pair<Vec3, int>> cells;
+  for (const Vec3& p : places) {
+    auto& cell =
+        cells
+            .emplace(std::array{std::floor(p.x() / leaf), std::floor(p.y() / leaf), std::floor(p.z() / leaf)},
+                     std::pair(Vec3(Vec3::Zero()), 0))
+            .first->second;
+    cell.first += p, ++cell.second;
+  }
+  std::vector<Vec3> means;
+  for (const auto& [key, cell] : cells) means.push_back(cell.first / cell.second);
+  return means;
+}
+
+/// With noise along every axis, of that deviation.
+std::vector<Vec3> noisy(std::vector<Vec3> places, double deviation, test::Random& random) {
+  const auto normal = [&] {
+    return std::sqrt(-2 * std::log(1 - random.uniform())) * std::cos(2 * M_PI * random.uniform());
+  };
+  for (Vec3& p : places) p += deviation * Vec3(normal(), normal(), normal());
+  return places;
 }
 
 Eigen::Isometry3d random_pose(test::Random& random) {
@@ -345,6 +371,50 @@ TEST(DepthImage, AGuessTellsTheFrontOfASheet) {
       EXPECT_EQ(result.report.interpolated, 1600);
     }
   }
+}
+
+// Thinned, or with noise across the lines of sight, images had tens of handles, and backs among their fronts.
+TEST(Reconstruct, Regression_AThinnedOrNoisyImageIsOneViewFromWhereItWasTaken) {
+  for (const auto& [name, depth] : kScenes)
+    for (const bool thin : {false, true}) {
+      SCOPED_TRACE(std::string(name) + (thin ? ", thinned" : ", noisy"));
+      test::Random random(1);
+      const std::vector<Vec3> pixels = thin ? thinned(noisy(image_of(depth, 150), 0.013, random), 0.08)
+                                            : noisy(image_of(depth, 60), 0.027, random);
+      EXPECT_FALSE(depth_image(pixels, site_geometry(pixels), {}));
+      const Eigen::Isometry3d pose = random_pose(random);
+      const auto points = cloud_of(pixels, pose, random);
+      const Vec3 sensor = pose.translation();
+      Options options;
+      options.viewpoint = Point{sensor.x(), sensor.y(), sensor.z()};
+      for (const bool open : {true, false}) {
+        options.open_boundary = open;
+        const Result result = reconstruct(points, options);
+        ASSERT_EQ(result.status, Status::Ok) << result.message;
+        const Mesh mesh = mesh_of(result, points);
+        EXPECT_EQ(test::surface_fault(mesh, open), "");
+        EXPECT_LE(result.report.genus, open ? 0 : 2);
+        EXPECT_GE(static_cast<double>(result.report.interpolated),
+                  0.995 * static_cast<double>(points.size()));
+        EXPECT_TRUE(!open || backs(mesh, sensor) == 0);
+      }
+    }
+}
+
+// A plate looks much like noise from where it is said to be seen from.
+TEST(Reconstruct, AThinPlateIsNoViewWhateverTheGuess) {
+  for (const double thickness : {0.5, 1.0, 2.0})
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+      SCOPED_TRACE(std::to_string(thickness) + " " + std::to_string(seed));
+      const int n = 3000;
+      const auto points = test::box(n, seed, {1, 1, thickness * std::sqrt(2.0 / n)});
+      Options options;
+      const Result without = reconstruct(points, options);
+      options.viewpoint = Point{0.3, 0.4, 5};
+      EXPECT_EQ(reconstruct(points, options).triangles, without.triangles);
+      options.open_boundary = true;
+      EXPECT_TRUE(thickness < 1 || reconstruct(points, options).report.closed);
+    }
 }
 
 TEST(DepthImage, AGuessThatIsNoNumberIsNoMatter) {

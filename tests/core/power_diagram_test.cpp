@@ -73,8 +73,8 @@ TEST(PowerDiagram, SitesCanLeave) {
   }
 }
 
-// The owners that are met on a fine walk along an edge are its cells, in their order. Returns the most cells of
-// an edge.
+// The owners that are met on a fine walk along an edge are its cells, in their order. Returns the most cells
+// of an edge.
 std::size_t expect_owners_met(const GuidingSurface& surface, const RestrictedPowerDiagram& restricted,
                               const PowerDiagram& diagram) {
   const std::vector<char> all(diagram.position.size(), 1);
@@ -188,8 +188,7 @@ TEST(Nearest, AgreesWithBruteForce) {
 
 TEST(VirtualSites, AreFarFromSitesAndFromEachOther) {
   const SiteSet set = make_site_set(test::torus(2000, 11));
-  const TetrahedralMesh mesh =
-      make_tetrahedral_mesh(delaunay_tetrahedra(set.perturbed), set.perturbed);
+  const TetrahedralMesh mesh = make_tetrahedral_mesh(delaunay_tetrahedra(set.perturbed), set.perturbed);
   const std::vector<double> spacing(set.size(), 0.03);
   const PointTree sites(set.perturbed);
   const std::vector<char> all(mesh.size(), 1), none(mesh.size(), 0);

@@ -494,6 +494,8 @@ TEST(Viewpoint, SeesABallTwiceAndHalfOfItOnce) {
       half.triangles.push_back(t);
   EXPECT_TRUE(seen_once(half, Vec3(0, 0, 9)));
   EXPECT_FALSE(seen_once(half, Vec3(9, 0, 0)));
+  EXPECT_LE(crossed_oddly(ball, Vec3(0, 0, 9)), 0.01);  // a line may meet a vertex
+  EXPECT_GE(crossed_oddly(half, Vec3(0, 0, 9)), 0.8);   // and the rim goes to and fro
   EXPECT_NEAR(turned_away(half, Vec3(0, 0, 99)), 0, 0.02);
   EXPECT_NEAR(turned_away(half, Vec3(99, 0, 0)), 0.5, 0.02);
 }
@@ -502,6 +504,7 @@ TEST(Viewpoint, OfNothingIsNoMatter) {
   const GuidingSurface none;
   EXPECT_TRUE(common_viewpoint(none).allFinite());
   EXPECT_TRUE(seen_once(none, Vec3::Zero()));
+  EXPECT_EQ(crossed_oddly(none, Vec3::Zero()), 0);
   EXPECT_EQ(turned_away(none, Vec3::Zero()), 0);
 }
 
