@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reconstruction_arguments.h"
 
+#include "filters/filter_options.h"
+
 namespace po = boost::program_options;
 
 namespace filmsticking::app {
@@ -9,6 +11,8 @@ po::options_description reconstruction_arguments() {
   po::options_description options("Reconstruction", 100);
   options.add_options()(
       "open", "leave out the faces that no points support: the surface that was seen, with its borders")(
+      "viewpoint", po::value<std::string>()->value_name("X,Y,Z"),
+      "where all points may have been seen from; the default is what a PCD file says")(
       "keep-outliers", "bring on points that are far from all others, too")(
       "no-sharp-edges", "do not flip edges of the mesh to lie along the sharp edges of the shape")(
       "max-memory", po::value<std::string>()->value_name("MB"),
@@ -61,6 +65,11 @@ Options reconstruction_options(const Arguments& given) {
              [&](const auto& name, const auto& text) { options.threads = parse_count(name, text, 0); });
   given.with("max-memory", [&](const auto& name, const auto& text) {
     options.max_memory = std::int64_t{1000000} * parse_count(name, text, 1);
+  });
+  given.with("viewpoint", [&](const auto& name, const auto& text) {
+    const std::vector<double> place = filters::parse_numbers(text);
+    if (place.size() != 3) throw UsageError("--" + name + " takes X,Y,Z, not '" + text + "'");
+    options.viewpoint = Point{place[0], place[1], place[2]};
   });
   options.open_boundary = given.has("open");
   options.keep_outliers = given.has("keep-outliers");

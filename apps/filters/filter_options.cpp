@@ -7,7 +7,14 @@
 namespace filmsticking::filters {
 namespace {
 
-/// The numbers of "1,2.5,-3"; empty if it is anything else.
+void check_length(const char* filter, double length) {
+  // Below the smallest normal float, PCL's single precision has no inverse of it.
+  if (!(length >= 1e-30 && length <= 1e30))
+    throw FilterError(std::string(filter) + " takes a length above zero");
+}
+
+}  // namespace
+
 std::vector<double> parse_numbers(const std::string& text) {
   std::vector<double> numbers;
   const char* const end = text.data() + text.size();
@@ -21,14 +28,6 @@ std::vector<double> parse_numbers(const std::string& text) {
     begin = rest;
   }
 }
-
-void check_length(const char* filter, double length) {
-  // Below the smallest normal float, PCL's single precision has no inverse of it.
-  if (!(length >= 1e-30 && length <= 1e30))
-    throw FilterError(std::string(filter) + " takes a length above zero");
-}
-
-}  // namespace
 
 void check(const FilterOptions& options) {
   if (options.crop)

@@ -36,6 +36,9 @@ struct FilterOptions {
 /// Throws FilterError for a value that is out of its range.
 void check(const FilterOptions& options);
 
+/// The numbers of "1,2.5,-3"; empty if it is anything else.
+std::vector<double> parse_numbers(const std::string& text);
+
 /// One filter as a program's option.
 struct FilterChoice {
   const char* name;   ///< "voxel": without dashes

@@ -90,7 +90,7 @@ void run(const Task& task, const CommandLine& command, const Progress& progress,
   if (!command.dump_steps.empty())
     execution.on_step = [&dump](int step, const Mesh& film) { dump.write(step, film); };
   Options options = command.options;
-  options.viewpoint = cloud.viewpoint;
+  if (!options.viewpoint) options.viewpoint = cloud.viewpoint;
   outcome.result = reconstruct(cloud.positions, options, execution);
   outcome.reached = true;
   if (!dump.error().empty()) throw io::IoError(dump.error());

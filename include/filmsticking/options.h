@@ -61,8 +61,9 @@ struct Options {
   /// Where the points may have been seen from, in their own unit and frame: a sensor's place. A depth image
   /// (every point alone on its line of sight, apart from the others as pixels are) gives the surface that
   /// shows all its faces to its viewpoint if it is to be open, and else what is behind it. Mostly the points
-  /// themselves say where that is; where they do not, this is tried. Of points that are no depth image from
-  /// there, and with another `initial_surface` than Carve, it changes nothing.
+  /// themselves say where that is; where they do not, as they are thinned or noisy, this is tried. Of points
+  /// that cannot all be seen from there, or are as well understood without, and with another
+  /// `initial_surface` than Carve, it changes nothing.
   std::optional<Point> viewpoint;
 
   /// Bring on outliers, too: points far from all others that are no part of a surface. They are left off

@@ -76,8 +76,10 @@ constexpr double kMuchBetter = 0.9;
 constexpr std::int64_t kMostForVirtual = 64;
 
 // What a surface costs of which all neighbours face opposite ways, and what a handle of an open surface
-// costs, in sites off it. Seen from where it was seen from, it is open where no fewer lines cross it oddly.
-constexpr double kConflictPrice = 2, kHandlePrice = 20, kSeenOpen = 0.4;
+// costs, in sites off it. What costs no more than that above another is as good, if it leaves no more sites
+// off than that share. Seen from where it was seen from, a surface is open where no fewer lines cross it
+// oddly.
+constexpr double kConflictPrice = 2, kHandlePrice = 20, kLoose = 0.005, kFewMissed = 0.001, kSeenOpen = 0.4;
 // The disagreement (FilmQuality) of a view through both sides of a plate 0.4 spacings thick, which is open as
 // soon as closed; and what the looseness of a closed surface must be of another's, to be taken in its place.
 constexpr double kThinnest = 0.15, kMuchPlainer = 0.5;
@@ -453,14 +455,17 @@ std::optional<DepthImage> Pipeline::given_view() {
   return image_from(exact_places(), *viewpoint, geometry_, monitor_.cancel());
 }
 
-// They are, if what is found without that is open, seen from there, and has more handles or folds, of which
-// an image has hardly any by nature.
+// They are, if what is found without that is open, seen from there, and has no fewer folds and handles: an
+// image has none by nature. Where they are about as good, the image knows which side is seen.
 bool Pipeline::is_better_view(const DepthImage& image, const Candidate& found) const {
   Candidate open;
   open.film = found.film;
   remove_bridges(open.film, geometry_);
-  return crossed_oddly(open.film, image.viewpoint, monitor_.cancel()) >= kSeenOpen &&
-         looseness(image.quality) < looseness(judged(std::move(open)).quality);
+  if (crossed_oddly(open.film, image.viewpoint, monitor_.cancel()) < kSeenOpen) return false;
+  const FilmQuality other = judged(std::move(open)).quality;
+  const double off = static_cast<double>(std::max<std::int64_t>(0, image.quality.off - other.off));
+  return off <= kFewMissed * static_cast<double>(sites_.size()) &&
+         looseness(image.quality) < looseness(other) + kLoose;
 }
 
 // By what is before and behind a depth image. Its gaps are those of its steps.

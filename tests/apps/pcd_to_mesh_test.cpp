@@ -354,6 +354,26 @@ TEST(PcdToMesh, FiltersRunBeforeTheSurface) {
   expect_failure({milk, folder / "no.ply", "--crop", "8,8,8,9,9,9"}, folder, 1);
 }
 
+TEST(PcdToMesh, AViewpointIsThatOfAPcdFileOrGiven) {
+  const ScratchFolder folder;
+  const std::string milk = TEST_DATA "/milk.pcd";
+  io::Model bare = io::read_cloud(milk);
+  ASSERT_TRUE(bare.viewpoint);
+  io::write_model(folder / "milk.ply", bare);
+  const auto mesh = [&](std::vector<std::string> words) {
+    words.insert(words.begin() + 1, folder / "mesh.ply");
+    words.insert(words.end(), {"--open", "--voxel", "0.004"});
+    const Outcome outcome = pcd_to_mesh(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return io::read_mesh(folder / "mesh.ply").triangles;
+  };
+  EXPECT_EQ(mesh({folder / "milk.ply", "--viewpoint", "0,0,0"}), mesh({milk}));
+  EXPECT_NE(mesh({folder / "milk.ply"}), mesh({milk}));
+  EXPECT_EQ(mesh({milk, "--viewpoint=9,9,9"}), mesh({folder / "milk.ply"}));
+  for (const char* wrong : {"1,2", "1,2,3,4", "x", "1,2,nan", ""})
+    expect_failure({milk, folder / "no.ply", "--viewpoint", wrong}, folder, 2);
+}
+
 TEST(PcdToMesh, AnOpenScanKeepsItsBorder) {
   const ScratchFolder folder;
   const std::string milk = TEST_DATA "/milk.pcd";

@@ -199,8 +199,8 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
    *
    * A depth image (an organized cloud of a depth camera, or all that is left of one) gives the surface that
    * shows all its faces to its viewpoint with setOutputBoundary(), and else what is behind it. Mostly the
-   * points themselves say where that is; where they do not, this is tried. Of points that are no depth image
-   * from there, it changes nothing.
+   * points themselves say where that is; where they do not, as they are thinned or noisy, this is tried. Of
+   * points that cannot all be seen from there, or are as well understood without, it changes nothing.
    */
   void setViewPoint(float vpx, float vpy, float vpz) { options_.viewpoint = {vpx, vpy, vpz}; }
 
