@@ -35,4 +35,11 @@ Outcome run_ours_open(const std::vector<Point>& points, int threads) {
   return run(points, options, threads);
 }
 
+Outcome run_ours_open_origin(const std::vector<Point>& points, int threads) {
+  Options options;
+  options.open_boundary = true;
+  options.viewpoint = Point{0, 0, 0};
+  return run(points, options, threads);
+}
+
 }  // namespace filmsticking::bench

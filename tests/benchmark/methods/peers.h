@@ -11,6 +11,7 @@ namespace filmsticking::bench {
 Outcome run_ours(const std::vector<Point>& points, int threads);
 Outcome run_ours_paper(const std::vector<Point>& points, int threads);
 Outcome run_ours_open(const std::vector<Point>& points, int threads);
+Outcome run_ours_open_origin(const std::vector<Point>& points, int threads);
 Outcome run_delaunay(const std::vector<Point>& points, int threads);
 Outcome run_cgal_advancing_front(const std::vector<Point>& points, int threads);
 Outcome run_cgal_alpha_wrap(const std::vector<Point>& points, int threads);
