@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "film.h"
+#include "layers.h"
 #include "nearest.h"
 #include "open_surface.h"
 #include "parallel.h"
@@ -47,6 +48,11 @@ constexpr double kFewOff = 0.01, kFewParts = 0.005;
 // The disagreement (FilmQuality) of an image that is sure to be a camera's, with depths in steps (measured:
 // 0.43, and of two surfaces 0.58 and more), and of others (0.13, and of regular plates 0.21 and more).
 constexpr double kSteps = 0.5, kRough = 0.17;
+// The shares of sites off an image and between two layers (share_between_layers()) below which it is one
+// however its pixels lie. Measured: 0.016 between, in noise of half the spacing or thinned; 0.02 to 0.16
+// where depths come in steps as wide as the cells; 0.14 and more where there are two surfaces in a quarter of
+// it.
+constexpr double kHardlyOff = 0.003, kBetween = 0.05;
 // How high a triangle must be in the image, in its longest edge, to show its front.
 constexpr double kFront = 0.01;
 // Behind the surface of a shape there is more than this share of what is before it in its hull, or it is a
@@ -224,49 +230,34 @@ std::vector<float> wider_gaps(const GuidingSurface& film, const std::vector<Poin
   return gaps;
 }
 
-/// How far an image's surface may be from what is known of its places: the share of the sites off it, and its
-/// disagreement (FilmQuality).
-struct Slack {
-  double off, disagreement;
-};
-// Where pixels lie anyhow: a plate 0.2 spacings thick disagrees by 0.053.
-constexpr Slack kSmooth{0.001, 0.04};
-
-// The surface from a viewpoint, if it leaves few sites off, is in few parts and follows the planes fitted to
-// neighbours.
-std::optional<DepthImage> image_within(const Slack& slack, const std::vector<Vec3>& places,
-                                       const Vec3& viewpoint, const SiteGeometry& geometry,
-                                       const Cancel& cancel) {
-  DepthImage image{viewpoint, depth_image_surface(places, viewpoint, geometry, cancel), {}};
-  image.quality = film_quality(image.surface, geometry);
-  const double sites = static_cast<double>(places.size());
-  if (static_cast<double>(image.quality.off) > slack.off * sites ||
-      static_cast<double>(image.quality.complexity) > kFewParts * sites ||
-      image.quality.disagreement > slack.disagreement)
-    return {};
-  return image;
-}
-
 }  // namespace
 
 std::optional<DepthImage> image_from(const std::vector<Vec3>& places, const Vec3& viewpoint,
                                      const SiteGeometry& geometry, const Cancel& cancel) {
   if (!(viewpoint.norm() < kFarthest) || !to_one_side(directions(places, viewpoint))) return {};
-  return image_within({kFewOff, kSteps}, places, viewpoint, geometry, cancel);
+  DepthImage image{viewpoint, depth_image_surface(places, viewpoint, geometry, cancel), {}};
+  image.quality = film_quality(image.surface, geometry);
+  const double sites = static_cast<double>(places.size());
+  if (static_cast<double>(image.quality.off) > kFewOff * sites ||
+      static_cast<double>(image.quality.complexity) > kFewParts * sites ||
+      image.quality.disagreement > kSteps)
+    return {};
+  return image;
 }
 
 std::optional<DepthImage> depth_image(const std::vector<Vec3>& places, const SiteGeometry& geometry,
                                       const std::optional<Vec3>& guess, const Cancel& cancel) {
   const std::optional<Vec3> found = raster_viewpoint(places, geometry);
   for (const std::optional<Vec3>& viewpoint : {found, guess}) {
-    if (!viewpoint || !(viewpoint->norm() < kFarthest)) continue;
-    const std::vector<Vec3> seen = directions(places, *viewpoint);
-    if (!to_one_side(seen)) continue;
-    const Spread spread = spread_of(seen, cancel);
-    const Slack slack = !spread.apart                          ? kSmooth
-                        : viewpoint == found || spread.squares ? Slack{kFewOff, kSteps}
-                                                               : Slack{kFewOff, kRough};
-    if (auto image = image_within(slack, places, *viewpoint, geometry, cancel)) return image;
+    if (!viewpoint) continue;
+    std::optional<DepthImage> image = image_from(places, *viewpoint, geometry, cancel);
+    if (!image) continue;
+    const Spread spread = spread_of(directions(places, *viewpoint), cancel);
+    if (spread.apart && (viewpoint == found || spread.squares || image->quality.disagreement <= kRough))
+      return image;
+    if (static_cast<double>(image->quality.off) <= kHardlyOff * static_cast<double>(places.size()) &&
+        share_between_layers(image->surface, places, geometry, cancel) <= kBetween)
+      return image;
   }
   return {};
 }

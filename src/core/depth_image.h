@@ -26,6 +26,8 @@ struct DepthImage {
 /// is much nearer to another than those around are to theirs. From a wrong one, or where there is one surface
 /// behind another, many are, unless both are as regular as an image: then the surface leaves sites off, is in
 /// many parts or winds through both, against the planes fitted to neighbours, and they are no image, either.
+/// Pixels may lie anyhow, as in thinned or noisy images, where the surface leaves hardly a site off and does
+/// not go to and fro between two layers (share_between_layers()).
 std::optional<DepthImage> depth_image(const std::vector<Vec3>& places, const SiteGeometry& geometry,
                                       const std::optional<Vec3>& guess, const Cancel& cancel = {});
 
