@@ -30,6 +30,9 @@ using Point2 = Kernel::Point_2;
 // The cosine of the widest angle from the middle of an image to its pixels. From the middle of a shape all of
 // it is seen once as well.
 constexpr double kWidest = 0.17;
+// The same where the pixels lie anyhow, as a camera's view: what is near a sheet on its back sees all of it,
+// too.
+constexpr double kWide = 0.55;
 // A pixel is too near to another if it is nearer than this share of what is usual among so many around it. Of
 // the pixels that are looked at, about so many, no more than that share may be.
 constexpr double kTooNear = 0.5, kFewTooNear = 0.005;
@@ -76,9 +79,9 @@ Vec3 middle_of(const std::vector<Vec3>& seen) {
   return sum.stableNormalized();
 }
 
-bool to_one_side(const std::vector<Vec3>& seen) {
+bool within(double cosine, const std::vector<Vec3>& seen) {
   const Vec3 middle = middle_of(seen);
-  return std::all_of(seen.begin(), seen.end(), [&](const Vec3& u) { return u.dot(middle) > kWidest; });
+  return std::all_of(seen.begin(), seen.end(), [&](const Vec3& u) { return u.dot(middle) > cosine; });
 }
 
 /// How pixels lie, seen from a viewpoint.
@@ -234,7 +237,7 @@ std::vector<float> wider_gaps(const GuidingSurface& film, const std::vector<Poin
 
 std::optional<DepthImage> image_from(const std::vector<Vec3>& places, const Vec3& viewpoint,
                                      const SiteGeometry& geometry, const Cancel& cancel) {
-  if (!(viewpoint.norm() < kFarthest) || !to_one_side(directions(places, viewpoint))) return {};
+  if (!(viewpoint.norm() < kFarthest) || !within(kWidest, directions(places, viewpoint))) return {};
   DepthImage image{viewpoint, depth_image_surface(places, viewpoint, geometry, cancel), {}};
   image.quality = film_quality(image.surface, geometry);
   const double sites = static_cast<double>(places.size());
@@ -252,10 +255,12 @@ std::optional<DepthImage> depth_image(const std::vector<Vec3>& places, const Sit
     if (!viewpoint) continue;
     std::optional<DepthImage> image = image_from(places, *viewpoint, geometry, cancel);
     if (!image) continue;
-    const Spread spread = spread_of(directions(places, *viewpoint), cancel);
+    const std::vector<Vec3> seen = directions(places, *viewpoint);
+    const Spread spread = spread_of(seen, cancel);
     if (spread.apart && (viewpoint == found || spread.squares || image->quality.disagreement <= kRough))
       return image;
-    if (static_cast<double>(image->quality.off) <= kHardlyOff * static_cast<double>(places.size()) &&
+    if (within(kWide, seen) &&
+        static_cast<double>(image->quality.off) <= kHardlyOff * static_cast<double>(places.size()) &&
         share_between_layers(image->surface, places, geometry, cancel) <= kBetween)
       return image;
   }

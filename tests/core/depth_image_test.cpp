@@ -428,6 +428,20 @@ TEST(Reconstruct, Regression_AThinnedOrNoisyImageIsOneViewFromWhereItWasTaken) {
     }
 }
 
+// As of bun0.pcd, whose frame's origin is by its feet: from behind, all of a scan is seen once as well.
+TEST(Reconstruct, AScanWithTheGuessJustBehindShowsItsConvexSide) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    std::vector<Point> half;
+    for (const Point& p : test::sphere(2000, seed))
+      if (p[2] > 0.2) half.push_back(p);
+    for (const double z : {0.0, -0.2}) {
+      const Result result = reconstruct_open(half, Point{0.1, 0.05, z});
+      ASSERT_EQ(result.status, Status::Ok);
+      EXPECT_LT(backs(mesh_of(result, half), Vec3(0, 0, 99)), 0.1);
+    }
+  }
+}
+
 // A plate looks much like noise from where it is said to be seen from.
 TEST(Reconstruct, AThinPlateIsNoViewWhateverTheGuess) {
   for (const double thickness : {0.5, 1.0, 2.0})
