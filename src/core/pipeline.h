@@ -70,6 +70,8 @@ class Pipeline {
   double looseness_closed(const FilmQuality& quality) const;
   static bool has_shape(const Candidate& candidate);
   Candidate with_sides(Candidate best, Candidate sides);
+  Candidate closed_if_torn(Candidate open, Candidate closed);
+  Candidate by_widths(Candidate best, bool& two_sided);
   Candidate carve_further(Candidate best, bool two_sided);
   Candidate cut_image(const Vec3& viewpoint);
   // By plugs alone, which is quick, or by all that may help.
@@ -93,6 +95,7 @@ class Pipeline {
   const Options& options_;
   Monitor& monitor_;
   Report& report_;
+  bool open_;  // the surface may be
   PowerDiagram voronoi_;
   TetrahedralMesh mesh_;
   FacetEvidence evidence_;

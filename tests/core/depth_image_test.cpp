@@ -449,12 +449,17 @@ TEST(Reconstruct, AThinPlateIsNoViewWhateverTheGuess) {
       SCOPED_TRACE(std::to_string(thickness) + " " + std::to_string(seed));
       const int n = 3000;
       const auto points = test::box(n, seed, {1, 1, thickness * std::sqrt(2.0 / n)});
-      Options options;
-      const Result without = reconstruct(points, options);
-      options.viewpoint = Point{0.3, 0.4, 5};
-      EXPECT_EQ(reconstruct(points, options).triangles, without.triangles);
-      options.open_boundary = true;
-      EXPECT_TRUE(thickness < 1 || reconstruct(points, options).report.closed);
+      for (const bool open : {false, true}) {
+        Options options;
+        options.open_boundary = open;
+        const Result without = reconstruct(points, options);
+        EXPECT_TRUE(without.report.closed);
+        EXPECT_EQ(without.report.genus, 0);
+        EXPECT_EQ(without.report.components, 1);
+        EXPECT_EQ(without.report.interpolated, n);
+        options.viewpoint = Point{0.3, 0.4, 5};
+        EXPECT_EQ(reconstruct(points, options).triangles, without.triangles);
+      }
     }
 }
 
