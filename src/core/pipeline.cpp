@@ -463,9 +463,9 @@ std::optional<DepthImage> Pipeline::given_view() {
 
 // They are, if what is found without that is open, seen from there, and has no fewer folds and handles: an
 // image has none by nature. Where they are about as good, the image knows which side is seen.
-bool Pipeline::is_better_view(const DepthImage& image, const Candidate& found) const {
+bool Pipeline::is_better_view(const DepthImage& image, GuidingSurface found) const {
   Candidate open;
-  open.film = found.film;
+  open.film = std::move(found);
   remove_bridges(open.film, geometry_);
   if (crossed_oddly(open.film, image.viewpoint, monitor_.cancel()) < kSeenOpen) return false;
   const FilmQuality other = judged(std::move(open)).quality;
@@ -507,17 +507,19 @@ Pipeline::Candidate Pipeline::carve() {
   };
   if (view && view->quality.disagreement <= kThinnest) {
     // A closed surface that follows both sides of an open one tells nothing.
-    const Candidate closed = open_ ? Candidate() : cut_sides(kFirstRim, nullptr, true);
-    const bool better = sides.score() < best.score();
-    if (is_better_view(*view, !open_ ? closed : better ? sides : best))
+    GuidingSurface found =
+        open_ ? (sides.score() < best.score() ? sides : best).film : cut_sides(kFirstRim, nullptr, true).film;
+    if (is_better_view(*view, std::move(found)))
       if (Candidate seen = by_view(); open_ || has_shape(seen)) return seen;
   }
-  Candidate first = open_ ? best : Candidate();
-  best = with_sides(std::move(best), std::move(sides));
   // What is rough may be a thin wall, too, but that comes out closed and plain.
-  if (open_) best = closed_if_torn(std::move(best), std::move(first));
+  if (open_) {
+    Candidate first = best;
+    best = closed_if_torn(with_sides(std::move(best), std::move(sides)), std::move(first));
+    return view && is_better_view(*view, best.film) ? by_view() : std::move(best);
+  }
+  best = with_sides(std::move(best), std::move(sides));
   if (!view) return best;
-  if (open_) return is_better_view(*view, best) ? by_view() : std::move(best);
   Candidate seen = by_view();
   const bool plainer = looseness_closed(seen.quality) < kMuchPlainer * looseness_closed(best.quality);
   return has_shape(seen) && plainer ? std::move(seen) : std::move(best);

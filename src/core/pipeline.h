@@ -65,7 +65,7 @@ class Pipeline {
   std::optional<Vec3> given_viewpoint() const;
   std::optional<DepthImage> image_of(const std::vector<Vec3>& places);
   std::optional<DepthImage> given_view();
-  bool is_better_view(const DepthImage& image, const Candidate& found) const;
+  bool is_better_view(const DepthImage& image, GuidingSurface found) const;
   double looseness(const FilmQuality& quality) const;
   double looseness_closed(const FilmQuality& quality) const;
   static bool has_shape(const Candidate& candidate);
@@ -95,7 +95,8 @@ class Pipeline {
   const Options& options_;
   Monitor& monitor_;
   Report& report_;
-  bool open_;  // the surface may be
+  bool open_;  // is the surface that is sought for allowed to be? As the options say, but while it is closed
+               // anew
   PowerDiagram voronoi_;
   TetrahedralMesh mesh_;
   FacetEvidence evidence_;

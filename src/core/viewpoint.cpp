@@ -90,10 +90,18 @@ std::size_t crossings(const GuidingSurface& surface, const Vec3& x, const Vec3& 
   }));
 }
 
-// A sample of the faces, for a line each: of a large surface they are fewer.
-std::size_t faces_between_lines(const GuidingSurface& surface) {
+// The share of a sample of the faces that a test holds for, which looks at a line through each; 0 of none. Of
+// a large surface they are fewer.
+template <typename Test>
+double share_of_lines(const GuidingSurface& surface, const Cancel& cancel, const Test& test) {
   const std::size_t n = surface.triangles.size();
-  return n / std::clamp(kTests / (n + 1), kFewLines, kLines) + 1;
+  const std::size_t step = n / std::clamp(kTests / (n + 1), kFewLines, kLines) + 1;
+  std::size_t lines = 0, held = 0;
+  for (std::size_t i = 0; i < n; i += step) {
+    cancel();
+    ++lines, held += test(static_cast<Index>(i));
+  }
+  return lines > 0 ? static_cast<double>(held) / static_cast<double>(lines) : 0;
 }
 
 // The share of a component's area that shows its front to a point.
@@ -165,31 +173,21 @@ Vec3 common_viewpoint(const GuidingSurface& surface) {
 }
 
 bool seen_once(const GuidingSurface& surface, const Vec3& viewpoint, const Cancel& cancel) {
-  const std::size_t n = surface.triangles.size(), step = faces_between_lines(surface);
-  std::size_t lines = 0, again = 0;
-  for (std::size_t i = 0; i < n; i += step) {
-    cancel();
-    const auto face = static_cast<Index>(i);
+  const auto crossed_again = [&](Index face) {
     const Vec3 x = middle(surface, face);
     double longest = 0;
     for (int k = 0; k < 3; ++k)
       longest = std::max(longest, (surface.corner(face, k) - surface.corner(face, (k + 1) % 3)).norm());
-    ++lines;
-    again += crossings(surface, x, (viewpoint - x).normalized(), kFaceReach * longest) > 0;
-  }
-  return static_cast<double>(again) <= kCrossAgain * static_cast<double>(lines);
+    return crossings(surface, x, (viewpoint - x).normalized(), kFaceReach * longest) > 0;
+  };
+  return share_of_lines(surface, cancel, crossed_again) <= kCrossAgain;
 }
 
 double crossed_oddly(const GuidingSurface& surface, const Vec3& viewpoint, const Cancel& cancel) {
-  const std::size_t n = surface.triangles.size(), step = faces_between_lines(surface);
-  std::size_t lines = 0, odd = 0;
-  for (std::size_t i = 0; i < n; i += step) {
-    cancel();
-    const auto face = static_cast<Index>(i);
+  return share_of_lines(surface, cancel, [&](Index face) {
     const Vec3 x = middle(surface, face);
-    ++lines, odd += crossings(surface, x, viewpoint - x, 0, face) % 2 == 0;
-  }
-  return lines > 0 ? static_cast<double>(odd) / static_cast<double>(lines) : 0;
+    return crossings(surface, x, viewpoint - x, 0, face) % 2 == 0;  // with that of the face itself
+  });
 }
 
 double turned_away(const GuidingSurface& surface, const Vec3& viewpoint) {
