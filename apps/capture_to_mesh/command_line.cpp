@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "capture/frame_source.h"
+#include "stream/frame_source.h"
 #include "common/filter_arguments.h"
 #include "common/reconstruction_arguments.h"
 

@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <utility>
 
-#include "capture/accumulator.h"
-#include "capture/background_mesher.h"
-#include "capture/capture_error.h"
-#include "capture/frame_source.h"
+#include "stream/accumulator.h"
+#include "stream/background_mesher.h"
+#include "stream/capture_error.h"
+#include "stream/frame_source.h"
 #include "capture_bar.h"
 #include "command_line.h"
 #include "common/mesh_model.h"

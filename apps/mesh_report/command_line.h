@@ -5,7 +5,7 @@
 #include <string>
 
 #include "common/usage_error.h"
-#include "truth_fit.h"
+#include "report/truth_fit.h"
 
 namespace filmsticking::app {
 

@@ -6,7 +6,7 @@
 #include "common/program.h"
 #include "io/model_file.h"
 #include "io/with_file.h"
-#include "report.h"
+#include "report/report.h"
 
 using namespace filmsticking;
 using namespace filmsticking::app;

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <functional>
 
-#include "filmsticking/types.h"
+#include "types.h"
 
 namespace filmsticking {
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "filmsticking/export.h"
-#include "filmsticking/types.h"
+#include "export.h"
+#include "types.h"
 
 namespace filmsticking {
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "filmsticking/execution.h"
-#include "filmsticking/export.h"
-#include "filmsticking/options.h"
-#include "filmsticking/report.h"
-#include "filmsticking/status.h"
-#include "filmsticking/types.h"
+#include "execution.h"
+#include "export.h"
+#include "options.h"
+#include "report.h"
+#include "status.h"
+#include "types.h"
 
 namespace filmsticking {
 

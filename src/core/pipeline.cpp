@@ -10,22 +10,23 @@
 #include <optional>
 #include <utility>
 
-#include "delaunay.h"
-#include "depth_image.h"
-#include "field/carve.h"
-#include "field/manifold_labels.h"
-#include "field/poisson.h"
-#include "field/sculpt.h"
-#include "field/signed_field.h"
-#include "field/two_sides.h"
-#include "field/winding_number.h"
-#include "film.h"
-#include "film_normals.h"
-#include "insert_sites.h"
-#include "open_surface.h"
-#include "parallel.h"
-#include "viewpoint.h"
-#include "virtual_sites.h"
+#include "delaunay/delaunay.h"
+#include "evidence/depth_image.h"
+#include "evidence/ball.h"
+#include "labelling/manifold_labels.h"
+#include "film/poisson.h"
+#include "labelling/sculpt.h"
+#include "evidence/signed_field.h"
+#include "labelling/two_sides.h"
+#include "film/winding_number.h"
+#include "film/film.h"
+#include "film/initial_surface.h"
+#include "surface/surface_normals.h"
+#include "film/insert_sites.h"
+#include "surface/open_surface.h"
+#include "geometry/parallel.h"
+#include "surface/viewpoint.h"
+#include "film/virtual_sites.h"
 
 namespace filmsticking {
 namespace {
@@ -108,7 +109,7 @@ constexpr double kPlainWeak = 0.02, kPlainComplex = 0.01, kPlainConflict = 0.75,
                  kLid = 0.2;
 
 // Is there a film, and are all its vertices sites?
-bool of_sites(const GuidingSurface& film) {
+bool of_sites(const Surface& film) {
   return !film.triangles.empty() && std::count(film.site.begin(), film.site.end(), kNone) == 0;
 }
 
@@ -159,7 +160,7 @@ void Pipeline::prepare(Tetrahedra tetrahedra) {
   tbb::parallel_invoke(guess, evidence);
 }
 
-void Pipeline::show(const GuidingSurface& film) const {
+void Pipeline::show(const Surface& film) const {
   if (!monitor_.execution().on_step) return;
   Mesh mesh;
   for (const Vec3& p : film.positions) mesh.positions.push_back(sites_.to_input(p));
@@ -167,7 +168,7 @@ void Pipeline::show(const GuidingSurface& film) const {
   call_back([&] { monitor_.execution().on_step(static_cast<int>(report_.steps.size()), mesh); });
 }
 
-GuidingSurface Pipeline::evolve(GuidingSurface film, const std::vector<Vec3>& sites, int max_steps,
+Surface Pipeline::evolve(Surface film, const std::vector<Vec3>& sites, int max_steps,
                                 bool weights) {
   monitor_.enter("film", monitor_.share());
   if (report_.steps.empty()) show(film);
@@ -176,7 +177,7 @@ GuidingSurface Pipeline::evolve(GuidingSurface film, const std::vector<Vec3>& si
   options.weights = weights;
   options.max_steps = max_steps;
   options.round = report_.rounds;
-  options.after_step = [&](const StepRecord& record, const GuidingSurface& now) {
+  options.after_step = [&](const StepRecord& record, const Surface& now) {
     report_.steps.push_back(record);
     // How many steps there will be is not known: each takes a twentieth of what is left.
     monitor_.progress(monitor_.share() + (0.95 - monitor_.share()) * 0.05);
@@ -187,7 +188,7 @@ GuidingSurface Pipeline::evolve(GuidingSurface film, const std::vector<Vec3>& si
 }
 
 // What follows the last film step: sites still off the film are inserted where that is clean.
-Pipeline::Candidate Pipeline::finish(GuidingSurface film) {
+Pipeline::Candidate Pipeline::finish(Surface film) {
   Candidate candidate;
   // A film that never came off the first surface has vertices that are no sites.
   if (!of_sites(film)) return candidate;
@@ -281,8 +282,8 @@ std::vector<char> Pipeline::exempt(const std::vector<char>& labels) const {
   return manifold_without_bridges(tetrahedral_boundary(mesh_, labels), sites_.perturbed, geometry_);
 }
 
-GuidingSurface Pipeline::film_of(const std::vector<char>& labels) const {
-  GuidingSurface film = unsorted_film_of_sites(tetrahedral_boundary(mesh_, labels), sites_.perturbed);
+Surface Pipeline::film_of(const std::vector<char>& labels) const {
+  Surface film = unsorted_surface_of_sites(tetrahedral_boundary(mesh_, labels), sites_.perturbed);
   if (open_) remove_bridges(film, geometry_);
   return film;
 }
@@ -322,7 +323,7 @@ std::vector<double> Pipeline::carve_belief(double limit, double slope) const {
   return belief;
 }
 
-std::vector<double> Pipeline::winding_belief(const GuidingSurface& film) const {
+std::vector<double> Pipeline::winding_belief(const Surface& film) const {
   const WindingNumber winding(sites_.perturbed, film_dipoles(film, sites_.size()));
   std::vector<double> belief(mesh_.size(), -1);
   parallel_each(mesh_.size(), [&](std::size_t t) {
@@ -334,7 +335,7 @@ std::vector<double> Pipeline::winding_belief(const GuidingSurface& film) const {
   return belief;
 }
 
-std::vector<double> Pipeline::film_belief(const GuidingSurface& film) const {
+std::vector<double> Pipeline::film_belief(const Surface& film) const {
   if (options_.field == FieldMethod::Poisson) {
     std::vector<double> belief = poisson_belief(mesh_, sites_.perturbed, film_dipoles(film, sites_.size()));
     if (!belief.empty()) return belief;
@@ -342,7 +343,7 @@ std::vector<double> Pipeline::film_belief(const GuidingSurface& film) const {
   return winding_belief(film);
 }
 
-GuidingSurface Pipeline::around_one_tetrahedron() {
+Surface Pipeline::around_one_tetrahedron() {
   monitor_.enter("manifold", monitor_.share());
   std::size_t fattest = 0;
   double most = 0;
@@ -363,7 +364,7 @@ GuidingSurface Pipeline::around_one_tetrahedron() {
   manifold.repair();  // there is nothing to repair; it takes the census
   if (options_.insert_leftover) manifold.reach();
   report_.inserted = manifold.counts().reached;
-  return unsorted_film_of_sites(tetrahedral_boundary(mesh_, labels), sites_.perturbed);
+  return unsorted_surface_of_sites(tetrahedral_boundary(mesh_, labels), sites_.perturbed);
 }
 
 // Nothing to remove and nothing to correct.
@@ -463,7 +464,7 @@ std::optional<DepthImage> Pipeline::given_view() {
 
 // They are, if what is found without that is open, seen from there, and has no fewer folds and handles: an
 // image has none by nature. Where they are about as good, the image knows which side is seen.
-bool Pipeline::is_better_view(const DepthImage& image, GuidingSurface found) const {
+bool Pipeline::is_better_view(const DepthImage& image, Surface found) const {
   Candidate open;
   open.film = std::move(found);
   remove_bridges(open.film, geometry_);
@@ -507,7 +508,7 @@ Pipeline::Candidate Pipeline::carve() {
   };
   if (view && view->quality.disagreement <= kThinnest) {
     // A closed surface that follows both sides of an open one tells nothing.
-    GuidingSurface found =
+    Surface found =
         open_ ? (sides.score() < best.score() ? sides : best).film : cut_sides(kFirstRim, nullptr, true).film;
     if (is_better_view(*view, std::move(found)))
       if (Candidate seen = by_view(); open_ || has_shape(seen)) return seen;
@@ -590,13 +591,13 @@ Pipeline::Candidate Pipeline::carve_further(Candidate best, bool two_sided) {
 
 // The surfaces to start from, the next where the film of one before it failed: a wrap that is finer than the
 // gaps between the points crawls through them, and a coarser one or the sphere does not.
-std::vector<std::function<GuidingSurface()>> Pipeline::first_surfaces() const {
+std::vector<std::function<Surface()>> Pipeline::first_surfaces() const {
   const auto sphere = [this] { return bounding_sphere(sites_.perturbed); };
   const auto wrap = [this](double alpha) {
     return [this, alpha] { return alpha_wrap(sites_.perturbed, alpha); };
   };
   const auto given = [this] {
-    GuidingSurface surface;
+    Surface surface;
     for (const Point& p : options_.guiding_surface->positions) surface.positions.push_back(sites_.to_unit(p));
     surface.site.assign(surface.positions.size(), kNone);
     surface.triangles.assign(options_.guiding_surface->triangles.begin(),
@@ -614,9 +615,9 @@ std::vector<std::function<GuidingSurface()>> Pipeline::first_surfaces() const {
 }
 
 // The film by plain steps from the first surface, and by virtual sites and weights once it stalls.
-GuidingSurface Pipeline::film_from_outside() {
+Surface Pipeline::film_from_outside() {
   if (voronoi_.offset.empty()) voronoi_ = voronoi_diagram(mesh_.tets, sites_.perturbed);
-  GuidingSurface film;
+  Surface film;
   for (const auto& first : first_surfaces()) {
     monitor_.enter("first surface", 0.2);
     const std::size_t steps_before = report_.steps.size();
@@ -641,7 +642,7 @@ GuidingSurface Pipeline::film_from_outside() {
 // Virtual sites for the cavities that the film has not reached: on the outer medial axis, where a ball can
 // roll to from outside, beside sites off the film. Given everywhere and from the first step they would pull
 // the film through the shape before the points are on it.
-std::vector<Vec3> Pipeline::with_virtual_sites(const GuidingSurface& film) const {
+std::vector<Vec3> Pipeline::with_virtual_sites(const Surface& film) const {
   std::vector<Vec3> sites = sites_.perturbed;
   if (options_.virtual_sites == 0) return sites;
   std::vector<char> off(sites.size(), 1), wanted(mesh_.size(), 0);
@@ -671,7 +672,7 @@ void Pipeline::rounds(Candidate& best) {
   }
 }
 
-GuidingSurface Pipeline::run(Tetrahedra tetrahedra) {
+Surface Pipeline::run(Tetrahedra tetrahedra) {
   prepare(std::move(tetrahedra));
   Candidate best;
   if (options_.initial_surface == InitialSurface::Carve) {

@@ -5,17 +5,17 @@
 #include <optional>
 #include <vector>
 
-#include "depth_image.h"
-#include "field/facet_evidence.h"
-#include "field/site_geometry.h"
-#include "field/tetrahedral_mesh.h"
-#include "field/two_sides.h"
-#include "film_quality.h"
+#include "evidence/depth_image.h"
+#include "evidence/facet_evidence.h"
+#include "points/site_geometry.h"
+#include "delaunay/tetrahedral_mesh.h"
+#include "labelling/two_sides.h"
+#include "surface/surface_quality.h"
 #include "filmsticking/options.h"
-#include "guiding_surface.h"
-#include "monitor.h"
-#include "power_diagram.h"
-#include "site_set.h"
+#include "geometry/surface.h"
+#include "geometry/monitor.h"
+#include "delaunay/power_diagram.h"
+#include "points/site_set.h"
 
 namespace filmsticking {
 
@@ -27,7 +27,7 @@ class Pipeline {
            const Options& options, Monitor& monitor, Report& report);
 
   /// Closed manifold of sites, or empty. `tetrahedra`: of the perturbed sites.
-  GuidingSurface run(Tetrahedra tetrahedra);
+  Surface run(Tetrahedra tetrahedra);
 
   /// Instead of run(): the depth image that the sites are, with its open surface, or nothing.
   std::optional<DepthImage> visible_surface();
@@ -38,11 +38,11 @@ class Pipeline {
 
   /// The last resort, after run(): the tetrahedron of largest volume, and what sites it reaches. Closed
   /// manifold of sites that encloses it; empty only if all tetrahedra are flat.
-  GuidingSurface around_one_tetrahedron();
+  Surface around_one_tetrahedron();
 
  private:
   struct Candidate {
-    GuidingSurface film;
+    Surface film;
     FilmQuality quality;  ///< after insertion
     std::int64_t inserted = 0;
     double weak = 0;           ///< share of the sites that its first cut left off
@@ -52,12 +52,12 @@ class Pipeline {
   };
 
   void prepare(Tetrahedra tetrahedra);
-  std::vector<std::function<GuidingSurface()>> first_surfaces() const;
-  GuidingSurface film_from_outside();
-  void show(const GuidingSurface& film) const;
-  GuidingSurface evolve(GuidingSurface film, const std::vector<Vec3>& sites, int max_steps, bool weights);
-  std::vector<Vec3> with_virtual_sites(const GuidingSurface& film) const;
-  Candidate finish(GuidingSurface film);
+  std::vector<std::function<Surface()>> first_surfaces() const;
+  Surface film_from_outside();
+  void show(const Surface& film) const;
+  Surface evolve(Surface film, const std::vector<Vec3>& sites, int max_steps, bool weights);
+  std::vector<Vec3> with_virtual_sites(const Surface& film) const;
+  Candidate finish(Surface film);
   Candidate cut(const std::vector<double>& belief, double conviction, bool open = false);
   Candidate cut_sides(const RimRule& rim, const Vec3* viewpoint, bool open);
   Candidate cut_two_sides();
@@ -65,7 +65,7 @@ class Pipeline {
   std::optional<Vec3> given_viewpoint() const;
   std::optional<DepthImage> image_of(const std::vector<Vec3>& places);
   std::optional<DepthImage> given_view();
-  bool is_better_view(const DepthImage& image, GuidingSurface found) const;
+  bool is_better_view(const DepthImage& image, Surface found) const;
   double looseness(const FilmQuality& quality) const;
   double looseness_closed(const FilmQuality& quality) const;
   static bool has_shape(const Candidate& candidate);
@@ -77,12 +77,12 @@ class Pipeline {
   // By plugs alone, which is quick, or by all that may help.
   enum class Mend { Plugs, All };
   Candidate without_gaps(Candidate candidate, Mend mend = Mend::All);
-  GuidingSurface film_of(const std::vector<char>& labels) const;
+  Surface film_of(const std::vector<char>& labels) const;
   std::vector<char> exempt(const std::vector<char>& labels) const;
   std::vector<double> off_prices() const;
   std::vector<double> carve_belief(double limit, double slope) const;
-  std::vector<double> winding_belief(const GuidingSurface& film) const;
-  std::vector<double> film_belief(const GuidingSurface& film) const;
+  std::vector<double> winding_belief(const Surface& film) const;
+  std::vector<double> film_belief(const Surface& film) const;
   Candidate judged(Candidate candidate) const;
   bool settled(const Candidate& candidate) const;
   Candidate carve();

@@ -9,19 +9,19 @@
 #include <new>
 #include <optional>
 
-#include "cap_faces.h"
-#include "delaunay.h"
-#include "feature_flips.h"
-#include "meeting_faces.h"
-#include "monitor.h"
-#include "open_surface.h"
-#include "orientation.h"
-#include "outliers.h"
-#include "parallel.h"
-#include "pinholes.h"
+#include "surface/cap_faces.h"
+#include "delaunay/delaunay.h"
+#include "surface/feature_flips.h"
+#include "surface/meeting_faces.h"
+#include "geometry/monitor.h"
+#include "surface/open_surface.h"
+#include "surface/orientation.h"
+#include "points/outliers.h"
+#include "geometry/parallel.h"
+#include "surface/pinholes.h"
 #include "pipeline.h"
-#include "site_set.h"
-#include "viewpoint.h"
+#include "points/site_set.h"
+#include "surface/viewpoint.h"
 
 namespace filmsticking {
 namespace {
@@ -84,7 +84,7 @@ Status check_given_surface(const Options& o) {
 }
 
 // Sites to input ids in rising order; triangles turned to their least corner and sorted.
-void write_result(const GuidingSurface& film, const std::vector<float>& gaps, const SiteSet& sites,
+void write_result(const Surface& film, const std::vector<float>& gaps, const SiteSet& sites,
                   Result& result) {
   // Sorting by counting: the ids and the least corners are small numbers.
   std::vector<Index> vertex(static_cast<std::size_t>(result.report.points), kNone);
@@ -169,7 +169,7 @@ void run(const PointsView& points, const Options& options, const Execution& exec
   SiteGeometry geometry = site_geometry(sites.perturbed);
   if (!options.keep_outliers) report.outliers = drop_outliers(sites, points, geometry);
   Pipeline pipeline(points, sites, geometry, options, monitor, report);
-  GuidingSurface film;
+  Surface film;
   if (options.open_boundary && options.initial_surface == InitialSurface::Carve)
     if (auto visible = pipeline.visible_surface()) film = std::move(visible->surface);
   if (!pipeline.viewpoint()) {

@@ -13,14 +13,14 @@
 #include <sstream>
 #include <thread>
 
-#include "capture/trajectory.h"
+#include "stream/trajectory.h"
 #include "filmsticking/reconstruct.h"
 #include "io/files.h"
 #include "io/model_file.h"
-#include "run_program.h"
-#include "scratch_folder.h"
+#include "support/run_program.h"
+#include "support/scratch_folder.h"
 #include "support/surface_check.h"
-#include "turntable.h"
+#include "tools/stream/turntable.h"
 
 namespace filmsticking::test {
 namespace {

@@ -12,9 +12,9 @@
 #include <fstream>
 #include <thread>
 
-#include "broken_files.h"
+#include "tools/io/broken_files.h"
 #include "io/model_file.h"
-#include "run_program.h"
+#include "support/run_program.h"
 
 namespace filmsticking::test {
 namespace {

@@ -15,11 +15,11 @@
 #include <sstream>
 
 #include "io/model_file.h"
-#include "mesh_report/report.h"
-#include "mesh_report/self_intersections.h"
-#include "mesh_report/surface_distance.h"
-#include "run_program.h"
-#include "scratch_folder.h"
+#include "report/report.h"
+#include "report/self_intersections.h"
+#include "report/surface_distance.h"
+#include "support/run_program.h"
+#include "support/scratch_folder.h"
 
 namespace filmsticking::mesh_report {
 namespace {

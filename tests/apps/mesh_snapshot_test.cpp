@@ -10,8 +10,8 @@
 
 #include "io/model_file.h"
 #include "picture.h"
-#include "run_program.h"
-#include "scratch_folder.h"
+#include "support/run_program.h"
+#include "support/scratch_folder.h"
 
 namespace filmsticking::test {
 namespace {

@@ -28,8 +28,8 @@
 #include "filters/model_filter.h"
 #include "io/files.h"
 #include "io/model_file.h"
-#include "run_program.h"
-#include "scratch_folder.h"
+#include "support/run_program.h"
+#include "support/scratch_folder.h"
 #include "support/surface_check.h"
 
 namespace filmsticking::test {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "io/model.h"
-#include "run_program.h"
-#include "scratch_folder.h"
+#include "support/run_program.h"
+#include "support/scratch_folder.h"
 
 namespace filmsticking::test {
 

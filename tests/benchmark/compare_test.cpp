@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/run_program.h"
-#include "apps/scratch_folder.h"
+#include "support/run_program.h"
+#include "support/scratch_folder.h"
 #include "compare/csv.h"
 #include "io/model_file.h"
 

@@ -8,17 +8,18 @@
 #include <map>
 #include <string>
 
-#include "dual_complex.h"
-#include "field/label_islands.h"
-#include "field/manifold_labels.h"
-#include "field/sculpt.h"
-#include "field/signed_field.h"
-#include "film.h"
+#include "film/dual_complex.h"
+#include "labelling/label_islands.h"
+#include "labelling/manifold_labels.h"
+#include "labelling/sculpt.h"
+#include "evidence/signed_field.h"
+#include "film/film.h"
+#include "film/initial_surface.h"
 #include "filmsticking/reconstruct.h"
-#include "site_set.h"
+#include "points/site_set.h"
 #include "support/clouds.h"
 #include "support/field_setting.h"
-#include "triangle_adjacency.h"
+#include "geometry/triangle_adjacency.h"
 
 namespace filmsticking {
 namespace {
@@ -162,13 +163,13 @@ TEST(Counters, OfFilmStepsKeepTheirBounds) {
     SCOPED_TRACE(name);
     const SiteSet set = make_site_set(points);
     const PowerDiagram diagram = DelaunayTriangulation(set.perturbed).voronoi();
-    GuidingSurface film = bounding_sphere(set.perturbed);
+    Surface film = bounding_sphere(set.perturbed);
     for (int step = 0; step < 12 && !film.triangles.empty(); ++step) {
       const auto restricted = restrict_power_diagram(
           film, half_edge_twins(film.triangles, static_cast<Index>(film.positions.size())), diagram);
       const HalfEdgeComplex dual = dual_complex(film, restricted, diagram);
       RepairCounts counts;
-      film = film_of_sites(manifold_repair(dual, diagram.position, RingChoice::Smooth, counts),
+      film = surface_of_sites(manifold_repair(dual, diagram.position, RingChoice::Smooth, counts),
                            diagram.position);
       const auto cut = static_cast<std::int64_t>(dual.point.size()),
                  left = static_cast<std::int64_t>(film.triangles.size());

@@ -2,18 +2,18 @@
 // Adjacency, first surfaces, orientation.
 #include <gtest/gtest.h>
 
-#include "cap_faces.h"
-#include "enclosed_volume.h"
-#include "film_normals.h"
-#include "guiding_surface.h"
-#include "meeting.h"
-#include "meeting_faces.h"
-#include "orientation.h"
-#include "pinholes.h"
-#include "site_set.h"
+#include "surface/cap_faces.h"
+#include "geometry/enclosed_volume.h"
+#include "surface/surface_normals.h"
+#include "geometry/surface.h"
+#include "geometry/meeting.h"
+#include "surface/meeting_faces.h"
+#include "surface/orientation.h"
+#include "surface/pinholes.h"
+#include "points/site_set.h"
 #include "support/clouds.h"
-#include "triangle_adjacency.h"
-#include "viewpoint.h"
+#include "geometry/triangle_adjacency.h"
+#include "surface/viewpoint.h"
 
 namespace filmsticking {
 namespace {
@@ -45,9 +45,9 @@ TEST(TriangleAdjacency, SeesEveryKindOfFault) {
   EXPECT_EQ(connected_components(half_edge_twins(bow_tie, 7), component), 2);
 }
 
-TEST(GuidingSurface, SphereHoldsTheSites) {
+TEST(Surface, SphereHoldsTheSites) {
   const SiteSet set = make_site_set(test::grid(4));
-  const GuidingSurface sphere = bounding_sphere(set.perturbed);
+  const Surface sphere = bounding_sphere(set.perturbed);
   EXPECT_TRUE(check_manifold(sphere.triangles, static_cast<Index>(sphere.positions.size())).ok());
   EXPECT_GT(signed_volume6(sphere), 0);
   for (const Corners& t : sphere.triangles) {
@@ -58,7 +58,7 @@ TEST(GuidingSurface, SphereHoldsTheSites) {
 }
 
 TEST(FilmNormals, AreOutwardAndLeaveOtherSitesAlone) {
-  GuidingSurface sphere = bounding_sphere(make_site_set(test::grid(2)).perturbed);
+  Surface sphere = bounding_sphere(make_site_set(test::grid(2)).perturbed);
   const std::size_t n = sphere.positions.size();
   for (std::size_t v = 0; v < n; ++v) sphere.site[v] = static_cast<Index>(v + 1);  // site 0 is off it
   const Vec3 otherwise(0, 0.6, -0.8);
@@ -73,9 +73,9 @@ TEST(FilmNormals, AreOutwardAndLeaveOtherSitesAlone) {
     EXPECT_EQ(normal, otherwise);
 }
 
-TEST(GuidingSurface, WrapIsClosedAndHoldsTheSites) {
+TEST(Surface, WrapIsClosedAndHoldsTheSites) {
   const SiteSet set = make_site_set(test::torus(3000, 3));
-  const GuidingSurface wrap = alpha_wrap(set.perturbed, 0.1);
+  const Surface wrap = alpha_wrap(set.perturbed, 0.1);
   EXPECT_TRUE(check_manifold(wrap.triangles, static_cast<Index>(wrap.positions.size())).ok());
   std::vector<Index> all;
   for (std::size_t t = 0; t < wrap.triangles.size(); ++t) all.push_back(static_cast<Index>(t));
@@ -83,14 +83,14 @@ TEST(GuidingSurface, WrapIsClosedAndHoldsTheSites) {
     EXPECT_NEAR(solid_angle_winding(wrap, all, set.perturbed[s]), 1, 1e-6);
 }
 
-std::vector<Point> places_of(const GuidingSurface& surface) {
+std::vector<Point> places_of(const Surface& surface) {
   std::vector<Point> places;
   for (const Vec3& p : surface.positions) places.push_back({p.x(), p.y(), p.z()});
   return places;
 }
 
 TEST(Orientation, TheTruePlacesSayWhatIsOutward) {
-  GuidingSurface surface;  // perturbed, the tip came out on the other side of its base
+  Surface surface;  // perturbed, the tip came out on the other side of its base
   surface.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.2, -1e-8}};
   surface.site.assign(4, kNone);
   surface.triangles.assign(std::begin(kTetrahedron), std::end(kTetrahedron));
@@ -106,7 +106,7 @@ TEST(Orientation, TheTruePlacesSayWhatIsOutward) {
 // A solid with a corner between the sides of one that is flat but for the perturbation was turned as its
 // cavity.
 TEST(Orientation, Regression_AFlatComponentHoldsNothing) {
-  GuidingSurface surface;
+  Surface surface;
   surface.positions = {{-4, -4, 0},  {4, -4, 0},    {0, 4, 0},     {0, 0, 1e-8},
                        {0, 0, 1e-9}, {0.5, 0, 0.5}, {0, 0.5, 0.5}, {0, 0, 0.7}};
   surface.site.assign(8, kNone);
@@ -140,7 +140,7 @@ TEST(EnclosedVolume, IsExactAtEveryScale) {
 }
 
 TEST(Orientation, TurnsSolidsOutwardAndCavitiesInward) {
-  GuidingSurface nested;
+  Surface nested;
   for (const double size : {4.0, 1.0, 0.2}) {  // solid, cavity, solid in the cavity
     const Index first = static_cast<Index>(nested.positions.size());
     for (const Vec3& p : {Vec3(-1, -1, -1), Vec3(1, 1, -1), Vec3(1, -1, 1), Vec3(-1, 1, 1)})
@@ -149,26 +149,26 @@ TEST(Orientation, TurnsSolidsOutwardAndCavitiesInward) {
       nested.triangles.push_back({first + t[0], first + t[1], first + t[2]});
   }
   for (int flips = 0; flips < 8; ++flips) {
-    GuidingSurface turned = nested;
+    Surface turned = nested;
     for (std::size_t t = 0; t < turned.triangles.size(); ++t)
       if (flips >> (t / 4) & 1) std::swap(turned.triangles[t][1], turned.triangles[t][2]);
     const SurfaceTopology topology(turned.triangles, static_cast<Index>(turned.positions.size()));
     EXPECT_TRUE(orient_components(turned, places_of(turned), topology));
     for (int part = 0; part < 3; ++part) {
-      GuidingSurface one = turned;
+      Surface one = turned;
       one.triangles.assign(turned.triangles.begin() + 4 * part, turned.triangles.begin() + 4 * part + 4);
       EXPECT_EQ(signed_volume6(one) > 0, part != 1) << flips << ' ' << part;
     }
   }
 }
 
-GuidingSurface film_of(std::vector<Vec3> positions, std::vector<Corners> triangles) {
-  GuidingSurface film{std::move(positions), {}, std::move(triangles)};
+Surface film_of(std::vector<Vec3> positions, std::vector<Corners> triangles) {
+  Surface film{std::move(positions), {}, std::move(triangles)};
   for (std::size_t v = 0; v < film.positions.size(); ++v) film.site.push_back(static_cast<Index>(v));
   return film;
 }
 
-std::int64_t caps_removed(GuidingSurface& film) {
+std::int64_t caps_removed(Surface& film) {
   const auto vertices = static_cast<Index>(film.positions.size());
   const std::int64_t removed = remove_cap_faces(film, half_edge_twins(film.triangles, vertices));
   EXPECT_TRUE(check_manifold(film.triangles, vertices).manifold());
@@ -179,11 +179,11 @@ std::int64_t caps_removed(GuidingSurface& film) {
   return removed;
 }
 
-Vec3 normal(const GuidingSurface& film, Index t) {
+Vec3 normal(const Surface& film, Index t) {
   return (film.corner(t, 1) - film.corner(t, 0)).cross(film.corner(t, 2) - film.corner(t, 0));
 }
 
-double area(const GuidingSurface& film) {
+double area(const Surface& film) {
   double sum = 0;
   for (std::size_t t = 0; t < film.triangles.size(); ++t)
     sum += normal(film, static_cast<Index>(t)).norm() / 2;
@@ -194,7 +194,7 @@ double area(const GuidingSurface& film) {
 const std::vector<Vec3> kOnAnEdge = {{0, 0, 0}, {0.2, 0, 0}, {0.1, 1e-9, 0}, {0.1, 0.1, 0}, {0.1, -0.1, 0}};
 
 TEST(Caps, AreFlippedIntoTheFaceAcross) {
-  GuidingSurface film = film_of(kOnAnEdge, {{0, 1, 3}, {1, 0, 2}, {0, 4, 2}, {4, 1, 2}});
+  Surface film = film_of(kOnAnEdge, {{0, 1, 3}, {1, 0, 2}, {0, 4, 2}, {4, 1, 2}});
   const double before = area(film);
   EXPECT_EQ(caps_removed(film), 1);
   EXPECT_EQ(film.triangles.size(), 4u);
@@ -204,14 +204,14 @@ TEST(Caps, AreFlippedIntoTheFaceAcross) {
 
 TEST(Caps, AreLeftOutAtTheBorder) {
   // 2 is inside: its faces form a ring.
-  GuidingSurface film =
+  Surface film =
       film_of({{0, 0, 0}, {0.2, 0, 0}, {0.1, 1e-9, 0}, {0.1, -0.1, 0}}, {{1, 0, 2}, {0, 3, 2}, {3, 1, 2}});
   EXPECT_EQ(caps_removed(film), 1);
   EXPECT_EQ(film.triangles.size(), 2u);
 }
 
 TEST(Caps, StayWhereTheBorderWouldMeetItself) {
-  GuidingSurface film = film_of({{0, 0, 0}, {0.2, 0, 0}, {0.1, 0, 0}, {0, -0.1, 0}, {0.2, -0.1, 0}},
+  Surface film = film_of({{0, 0, 0}, {0.2, 0, 0}, {0.1, 0, 0}, {0, -0.1, 0}, {0.2, -0.1, 0}},
                                 {{1, 0, 2}, {0, 3, 2}, {4, 1, 2}});
   const std::vector<Corners> before = film.triangles;
   EXPECT_EQ(caps_removed(film), 0);
@@ -220,7 +220,7 @@ TEST(Caps, StayWhereTheBorderWouldMeetItself) {
 
 // An edge that was flipped and flipped back left its faces turned on, and their twins were those of others.
 TEST(Caps, Regression_ThoseThatStayChangeNothing) {
-  GuidingSurface film =
+  Surface film =
       film_of({{0, 0, 0}, {0.3, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}, {0.1, 0.1, 0}, {0.1, -0.1, 0}},
               {{0, 1, 3}, {1, 0, 2}, {0, 5, 2}, {2, 5, 1}, {0, 3, 4}, {3, 1, 4}});
   const std::vector<Corners> before = film.triangles;
@@ -229,7 +229,7 @@ TEST(Caps, Regression_ThoseThatStayChangeNothing) {
 }
 
 TEST(Caps, GoWhereSeveralLieOnOneEdge) {
-  GuidingSurface film =
+  Surface film =
       film_of({{0, 0, 0}, {0.3, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}, {0.1, 0.1, 0}, {0.1, -0.1, 0}},
               {{0, 1, 4}, {1, 0, 3}, {3, 0, 2}, {0, 5, 2}, {2, 5, 3}, {3, 5, 1}});
   const double before = area(film);
@@ -240,8 +240,8 @@ TEST(Caps, GoWhereSeveralLieOnOneEdge) {
 
 // A ball of faces about `spacing` wide without those that `away` says of, by their middles.
 template <class Away>
-GuidingSurface ball_without(const Away& away) {
-  GuidingSurface film = bounding_sphere({Vec3(0.5, 0.5, 0.5)});
+Surface ball_without(const Away& away) {
+  Surface film = bounding_sphere({Vec3(0.5, 0.5, 0.5)});
   std::vector<Corners> triangles;
   for (std::size_t t = 0; t < film.triangles.size(); ++t) {
     const auto i = static_cast<Index>(t);
@@ -251,7 +251,7 @@ GuidingSurface ball_without(const Away& away) {
   return film_of(std::move(film.positions), std::move(triangles));
 }
 
-std::int64_t holes_filled(GuidingSurface& film, double spacing) {
+std::int64_t holes_filled(Surface& film, double spacing) {
   const auto vertices = static_cast<Index>(film.positions.size());
   SiteGeometry geometry;
   geometry.spacing.assign(film.positions.size(), spacing);
@@ -260,19 +260,19 @@ std::int64_t holes_filled(GuidingSurface& film, double spacing) {
   return filled;
 }
 
-std::int64_t border_edges(const GuidingSurface& film) {
+std::int64_t border_edges(const Surface& film) {
   return check_manifold(film.triangles, static_cast<Index>(film.positions.size())).boundary_edges;
 }
 
 TEST(Pinholes, AreFilledIfTheyAreNotWide) {
-  const GuidingSurface whole = ball_without([](const Vec3&) { return false; });
+  const Surface whole = ball_without([](const Vec3&) { return false; });
   const double spacing = std::sqrt(area(whole) / static_cast<double>(whole.positions.size()));
   const Vec3 a = whole.corner(7, 0),
              b = (whole.corner(40, 0) + whole.corner(40, 1) + whole.corner(40, 2)) / 3;
   const auto near = [&](const Vec3& p) {
     return (p - a).norm() < 0.9 * spacing || (p - b).norm() < 0.1 * spacing;  // a ring of faces, and one face
   };
-  GuidingSurface film = ball_without(near);
+  Surface film = ball_without(near);
   const std::int64_t edges = border_edges(film);
   ASSERT_GE(edges, 7);
   EXPECT_EQ(holes_filled(film, spacing / 5), 0);  // the same hole is five times as many spacings wide
@@ -283,10 +283,10 @@ TEST(Pinholes, AreFilledIfTheyAreNotWide) {
 }
 
 TEST(Pinholes, TheRimOfAPieceIsNone) {
-  const GuidingSurface whole = ball_without([](const Vec3&) { return false; });
+  const Surface whole = ball_without([](const Vec3&) { return false; });
   const double spacing = std::sqrt(area(whole) / static_cast<double>(whole.positions.size()));
   const Vec3 a = whole.corner(7, 0);
-  GuidingSurface film = ball_without([&](const Vec3& p) { return (p - a).norm() > 0.9 * spacing; });
+  Surface film = ball_without([&](const Vec3& p) { return (p - a).norm() > 0.9 * spacing; });
   const std::int64_t edges = border_edges(film);
   ASSERT_GE(edges, 5);
   EXPECT_EQ(holes_filled(film, spacing), 0);
@@ -295,10 +295,10 @@ TEST(Pinholes, TheRimOfAPieceIsNone) {
 
 // A wall through the hole.
 TEST(Pinholes, StayWhereTheFillingWouldMeetAnother) {
-  const GuidingSurface whole = ball_without([](const Vec3&) { return false; });
+  const Surface whole = ball_without([](const Vec3&) { return false; });
   const double spacing = std::sqrt(area(whole) / static_cast<double>(whole.positions.size()));
   const Vec3 a = whole.corner(7, 0);
-  GuidingSurface film = ball_without([&](const Vec3& p) { return (p - a).norm() < 0.9 * spacing; });
+  Surface film = ball_without([&](const Vec3& p) { return (p - a).norm() < 0.9 * spacing; });
   const auto n = static_cast<Index>(film.positions.size());
   const Vec3 across = spacing / 20 * a.unitOrthogonal();
   for (const Vec3& p : {Vec3(0.5 * a), Vec3(2 * a + across), Vec3(2 * a - across)})
@@ -307,13 +307,13 @@ TEST(Pinholes, StayWhereTheFillingWouldMeetAnother) {
   EXPECT_EQ(holes_filled(film, spacing), 0);
 }
 
-std::int64_t meeting_faces(GuidingSurface& film) {
+std::int64_t meeting_faces(Surface& film) {
   SiteGeometry geometry;
   geometry.spacing.assign(film.positions.size(), 0.1);
   return remove_meeting_faces(film, geometry);
 }
 
-bool some_meet(const GuidingSurface& film) {
+bool some_meet(const Surface& film) {
   for (std::size_t t = 0; t < film.triangles.size(); ++t)
     for (std::size_t u = 0; u < t; ++u)
       if (!Meeting(film.positions, film.triangles[t], film.triangles[u], kMeetingMargin)
@@ -323,7 +323,7 @@ bool some_meet(const GuidingSurface& film) {
 }
 
 // A square grid in a plane, of which some inner vertices are moved two cells on: their faces fold over.
-GuidingSurface folded_sheet(std::uint64_t seed, int folds) {
+Surface folded_sheet(std::uint64_t seed, int folds) {
   constexpr int n = 12;
   std::vector<Vec3> positions;
   std::vector<Corners> triangles;
@@ -345,8 +345,8 @@ GuidingSurface folded_sheet(std::uint64_t seed, int folds) {
 // Rows of pixels that lie in a plane exactly came with faces folded over onto others.
 TEST(MeetingFaces, Regression_FoldsInExactPlanesAreTakenAway) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const GuidingSurface sheet = folded_sheet(seed, 3);
-    GuidingSurface film = sheet;
+    const Surface sheet = folded_sheet(seed, 3);
+    Surface film = sheet;
     ASSERT_EQ(meeting_faces(film) > 0, some_meet(sheet)) << seed;
     EXPECT_FALSE(some_meet(film)) << seed;
     EXPECT_TRUE(check_manifold(film.triangles, static_cast<Index>(film.positions.size())).manifold()) << seed;
@@ -356,7 +356,7 @@ TEST(MeetingFaces, Regression_FoldsInExactPlanesAreTakenAway) {
 }
 
 TEST(MeetingFaces, NoNumberingChangesWhatStays) {
-  const auto sites = [](const GuidingSurface& film) {
+  const auto sites = [](const Surface& film) {
     std::vector<std::array<Index, 3>> all;
     for (const Corners& t : film.triangles) {
       all.push_back({film.site[t[0]], film.site[t[1]], film.site[t[2]]});
@@ -366,7 +366,7 @@ TEST(MeetingFaces, NoNumberingChangesWhatStays) {
     return all;
   };
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    GuidingSurface film = folded_sheet(seed, 3), other = film;
+    Surface film = folded_sheet(seed, 3), other = film;
     std::reverse(other.triangles.begin(), other.triangles.end());
     for (Corners& t : other.triangles) std::rotate(t.begin(), t.begin() + 1, t.end());
     meeting_faces(film), meeting_faces(other);
@@ -386,20 +386,20 @@ TEST(MeetingFaces, VeryManyThatMeetAllOthersGo) {
     }
     triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
   }
-  GuidingSurface film = film_of(std::move(positions), std::move(triangles));
+  Surface film = film_of(std::move(positions), std::move(triangles));
   EXPECT_EQ(meeting_faces(film), 5000);
   EXPECT_TRUE(film.triangles.empty());
 }
 
 TEST(MeetingFaces, ThoseThatMeetNoOtherStay) {
-  GuidingSurface film = ball_without([](const Vec3& p) { return p.z() > 0.5; });
+  Surface film = ball_without([](const Vec3& p) { return p.z() > 0.5; });
   const std::vector<Corners> before = film.triangles;
   EXPECT_EQ(meeting_faces(film), 0);
   EXPECT_EQ(film.triangles, before);
 }
 
 // Squares across z, some turned to -z, bent so that +z is their convex side.
-GuidingSurface squares(const std::vector<std::pair<Vec3, bool>>& places, double side) {
+Surface squares(const std::vector<std::pair<Vec3, bool>>& places, double side) {
   std::vector<Vec3> positions;
   std::vector<Corners> triangles;
   for (const auto& [place, back] : places) {
@@ -415,13 +415,13 @@ GuidingSurface squares(const std::vector<std::pair<Vec3, bool>>& places, double 
   return film_of(std::move(positions), std::move(triangles));
 }
 
-Index turned(GuidingSurface& film) {
+Index turned(Surface& film) {
   return face_viewpoint(film, SurfaceTopology(film.triangles, static_cast<Index>(film.positions.size())));
 }
 
 TEST(Viewpoint, SeesTheFrontsOfAllPieces) {
   for (const bool back : {false, true}) {
-    GuidingSurface film =
+    Surface film =
         squares({{{0, 0, 0}, back}, {{-0.3, 0.1, -0.5}, true}, {{0.9, 0, -0.2}, false}}, 0.25);
     film.positions[2] += Vec3(1e-3, 1e-3, 0);  // the first is the largest
     EXPECT_EQ(turned(film), 1 + back);
@@ -454,7 +454,7 @@ TEST(Viewpoint, IsInViewOfAllThatCanBeSeenWhicheverWayItIsTurned) {
           }
         }
     }
-    const GuidingSurface film = film_of(std::move(positions), std::move(triangles));
+    const Surface film = film_of(std::move(positions), std::move(triangles));
     const Vec3 eye = common_viewpoint(film);
     EXPECT_TRUE(seen_once(film, eye));
     EXPECT_NEAR(turned_away(film, eye), some_turned ? 0.5 : 0, 1e-9);
@@ -477,17 +477,17 @@ TEST(Viewpoint, Regression_ABoxShowsItsOutside) {
     std::vector<Corners> triangles = outward;
     if (inward)
       for (Corners& t : triangles) std::swap(t[1], t[2]);
-    GuidingSurface film = film_of(positions, std::move(triangles));
+    Surface film = film_of(positions, std::move(triangles));
     EXPECT_EQ(turned(film), inward ? 1 : 0);
     EXPECT_GT(normal(film, 0).z(), 0);
   }
 }
 
 TEST(Viewpoint, SeesABallTwiceAndHalfOfItOnce) {
-  const GuidingSurface ball = bounding_sphere({Vec3(0.5, 0.5, 0.5)});
+  const Surface ball = bounding_sphere({Vec3(0.5, 0.5, 0.5)});
   EXPECT_FALSE(seen_once(ball, common_viewpoint(ball)));
   EXPECT_FALSE(seen_once(ball, Vec3(0, 0, 9)));
-  GuidingSurface half = ball;
+  Surface half = ball;
   half.triangles.clear();
   for (const Corners& t : ball.triangles)
     if ((ball.positions[t[0]] + ball.positions[t[1]] + ball.positions[t[2]]).z() > 0)
@@ -501,7 +501,7 @@ TEST(Viewpoint, SeesABallTwiceAndHalfOfItOnce) {
 }
 
 TEST(Viewpoint, OfNothingIsNoMatter) {
-  const GuidingSurface none;
+  const Surface none;
   EXPECT_TRUE(common_viewpoint(none).allFinite());
   EXPECT_TRUE(seen_once(none, Vec3::Zero()));
   EXPECT_EQ(crossed_oddly(none, Vec3::Zero()), 0);
@@ -510,8 +510,8 @@ TEST(Viewpoint, OfNothingIsNoMatter) {
 
 // All sides of a ball but a part of one: no point sees them.
 TEST(Viewpoint, TurnsNoOtherWhereThereIsNone) {
-  GuidingSurface film = squares({{{2, 0, 0}, true}}, 0.25);
-  const GuidingSurface ball = bounding_sphere({Vec3(0.5, 0.5, 0.5)});
+  Surface film = squares({{{2, 0, 0}, true}}, 0.25);
+  const Surface ball = bounding_sphere({Vec3(0.5, 0.5, 0.5)});
   std::vector<Vec3> positions = film.positions;
   std::vector<Corners> triangles = film.triangles;
   const auto first = static_cast<Index>(positions.size());

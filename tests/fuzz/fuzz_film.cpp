@@ -4,11 +4,11 @@
 #include <cmath>
 #include <vector>
 
-#include "attraction_weights.h"
-#include "film.h"
+#include "film/attraction_weights.h"
+#include "film/film.h"
 #include "filmsticking/reconstruct.h"
 #include "target.h"
-#include "triangle_adjacency.h"
+#include "geometry/triangle_adjacency.h"
 
 namespace filmsticking::test {
 namespace {
@@ -115,7 +115,7 @@ Clay take_clay(ByteReader& bytes) {
   return clay;
 }
 
-std::string fault_of(const GuidingSurface& film, const PowerDiagram& diagram) {
+std::string fault_of(const Surface& film, const PowerDiagram& diagram) {
   if (film.triangles.empty()) return "";
   if (!check_manifold(film.triangles, static_cast<Index>(film.positions.size())).ok())
     return "the film is no closed manifold";
@@ -128,7 +128,7 @@ std::string fault_of(const GuidingSurface& film, const PowerDiagram& diagram) {
 }
 
 /// Steps by any weights, then by those that attract.
-void step(GuidingSurface film, const std::vector<Vec3>& sites, ByteReader& bytes) {
+void step(Surface film, const std::vector<Vec3>& sites, ByteReader& bytes) {
   std::vector<double> weights;
   std::vector<char> present;
   for (std::size_t s = 0; s < sites.size(); ++s) {
@@ -153,7 +153,7 @@ void step(GuidingSurface film, const std::vector<Vec3>& sites, ByteReader& bytes
 }
 
 /// The same by the library's entry.
-void reconstruct_from(const GuidingSurface& film, const std::vector<Vec3>& sites) {
+void reconstruct_from(const Surface& film, const std::vector<Vec3>& sites) {
   std::vector<Point> points;
   for (const Vec3& p : sites) points.push_back({p.x(), p.y(), p.z()});
   Mesh mesh;
@@ -193,7 +193,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     sites.push_back(test::place(bytes, far_sites));
   const test::Clay clay = test::take_clay(bytes);
   if (!check_manifold(clay.triangles, clay.vertices).ok()) std::abort();  // a fault of this file
-  GuidingSurface film;
+  Surface film;
   film.triangles = clay.triangles;
   for (Index v = 0; v < clay.vertices; ++v) {
     const bool stands_on_site = !whole && v < static_cast<Index>(sites.size()) && bytes.below(2) == 1;

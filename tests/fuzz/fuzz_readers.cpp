@@ -9,11 +9,11 @@
 #include <cstring>
 #include <string_view>
 
-#include "capture/capture_error.h"
-#include "capture/frame_points.h"
-#include "capture/frame_source.h"
-#include "capture/strict_pcd.h"
-#include "capture/trajectory.h"
+#include "stream/capture_error.h"
+#include "stream/frame_points.h"
+#include "stream/frame_source.h"
+#include "stream/strict_pcd.h"
+#include "stream/trajectory.h"
 #include "io/format.h"
 #include "io/io_error.h"
 #include "io/pcd.h"

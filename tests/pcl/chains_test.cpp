@@ -26,7 +26,7 @@
 #include <cstring>
 #include <string>
 
-#include "apps/scratch_folder.h"
+#include "support/scratch_folder.h"
 #include "mesh.h"
 #include "support/surface_check.h"
 

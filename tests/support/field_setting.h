@@ -7,14 +7,14 @@
 #include <optional>
 #include <vector>
 
-#include "delaunay.h"
-#include "field/facet_evidence.h"
-#include "field/manifold_labels.h"
-#include "field/surface_sheets.h"
-#include "film.h"
-#include "site_set.h"
-#include "support/clouds.h"
-#include "triangle_adjacency.h"
+#include "delaunay/delaunay.h"
+#include "evidence/facet_evidence.h"
+#include "labelling/manifold_labels.h"
+#include "labelling/surface_sheets.h"
+#include "film/film.h"
+#include "points/site_set.h"
+#include "clouds.h"
+#include "geometry/triangle_adjacency.h"
 
 namespace filmsticking::test {
 
@@ -41,13 +41,13 @@ inline LabelCosts costs_of(const FieldSetting& s) {
   return costs;
 }
 
-inline GuidingSurface film_of(const FieldSetting& s, const std::vector<char>& inside) {
-  return film_of_sites(tetrahedral_boundary(s.mesh, inside), s.set.perturbed);
+inline Surface film_of(const FieldSetting& s, const std::vector<char>& inside) {
+  return surface_of_sites(tetrahedral_boundary(s.mesh, inside), s.set.perturbed);
 }
 
 // V - E + F, or nothing where the surface is no closed manifold.
 inline std::optional<std::int64_t> euler_if_manifold(const FieldSetting& s, const std::vector<char>& inside) {
-  const GuidingSurface film = film_of(s, inside);
+  const Surface film = film_of(s, inside);
   const Index vertices = static_cast<Index>(film.positions.size());
   if (!film.triangles.empty() && !check_manifold(film.triangles, vertices).ok()) return {};
   return vertices - static_cast<std::int64_t>(film.triangles.size()) / 2;
@@ -77,7 +77,7 @@ struct Topology {
 
 // Of a surface that is a closed manifold.
 inline Topology topology(const FieldSetting& s, const std::vector<char>& inside) {
-  const GuidingSurface film = film_of(s, inside);
+  const Surface film = film_of(s, inside);
   const Index vertices = static_cast<Index>(film.positions.size());
   std::vector<Index> twin, component;
   Topology result;

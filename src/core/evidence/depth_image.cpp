@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evidence/depth_image.h"
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "evidence/layers.h"
+#include "geometry/nearest.h"
+#include "surface/open_surface.h"
+#include "geometry/parallel.h"
+#include "evidence/raster_viewpoint.h"
+#include "geometry/triangle_adjacency.h"
+
+namespace filmsticking {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point2 = Kernel::Point_2;
+
+// The cosine of the widest angle from the middle of an image to its pixels. From the middle of a shape all of
+// it is seen once as well.
+constexpr double kWidest = 0.17;
+// The same where the pixels lie anyhow, as a camera's view: what is near a sheet on its back sees all of it,
+// too.
+constexpr double kWide = 0.55;
+// A pixel is too near to another if it is nearer than this share of what is usual among so many around it. Of
+// the pixels that are looked at, about so many, no more than that share may be.
+constexpr double kTooNear = 0.5, kFewTooNear = 0.005;
+constexpr std::size_t kAround = 12, kLookedAt = 4000;
+// The pixels of the smallest image: fewer points lie apart by chance.
+constexpr std::size_t kFewest = 100;
+// Pixels that are looked at between two looks at the caller's stop.
+constexpr std::size_t kAtATime = 64;
+// A pixel's fourth neighbour is no farther than so many times its first one, of most pixels of a camera.
+constexpr double kSquare = 1.5, kMostSquare = 0.9;
+// The farthest viewpoint, in sides of the box: from farther, directions are rounded.
+constexpr double kFarthest = 100;
+// Shares of the sites that a depth image may leave off, and parts or handles that it may have. Images
+// measured: 0.001 and 0.0004.
+constexpr double kFewOff = 0.01, kFewParts = 0.005;
+// The disagreement (FilmQuality) of an image that is sure to be a camera's, with depths in steps (measured:
+// 0.43, and of two surfaces 0.58 and more), and of others (0.13, and of regular plates 0.21 and more).
+constexpr double kSteps = 0.5, kRough = 0.17;
+// The shares of sites off an image and between two layers (share_between_layers()) below which it is one
+// however its pixels lie. Measured: 0.016 between, in noise of half the spacing or thinned; 0.02 to 0.16
+// where depths come in steps as wide as the cells; 0.14 and more where there are two surfaces in a quarter of
+// it.
+constexpr double kHardlyOff = 0.003, kBetween = 0.05;
+// How high a triangle must be in the image, in its longest edge, to show its front.
+constexpr double kFront = 0.01;
+// Behind the surface of a shape there is more than this share of what is before it in its hull, or it is a
+// bowl, seen from within.
+constexpr double kBehind = 0.25;
+// Faces that a walk through the image may cross: more than there are from one side of a camera's image to the
+// other.
+constexpr int kLongestWalk = 10000;
+// A flipped edge is shorter by more than rounding, so that flips end.
+constexpr double kShorter = 1 - 1e-9;
+
+std::vector<Vec3> directions(const std::vector<Vec3>& places, const Vec3& viewpoint) {
+  std::vector<Vec3> seen(places.size());
+  parallel_each(seen.size(), [&](std::size_t i) { seen[i] = (places[i] - viewpoint).stableNormalized(); });
+  return seen;
+}
+
+Vec3 middle_of(const std::vector<Vec3>& seen) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& u : seen) sum += u;
+  return sum.stableNormalized();
+}
+
+bool within(double cosine, const std::vector<Vec3>& seen) {
+  const Vec3 middle = middle_of(seen);
+  return std::all_of(seen.begin(), seen.end(), [&](const Vec3& u) { return u.dot(middle) > cosine; });
+}
+
+/// How pixels lie, seen from a viewpoint.
+struct Spread {
+  bool apart;    // hardly one is too near to another
+  bool squares;  // most have four neighbours about as near, as those of a camera
+};
+
+Spread spread_of(const std::vector<Vec3>& seen, const Cancel& cancel) {
+  if (seen.size() < kFewest) return {false, false};
+  const PointTree tree(seen);
+  const auto distance = [&](Index i, std::size_t rank) {
+    const std::vector<Index> near = tree.nearest(seen[i], rank + 1);
+    return (seen[i] - seen[near.back()]).norm();
+  };
+  const std::size_t step = seen.size() / kLookedAt + 1, looked = (seen.size() + step - 1) / step;
+  const double most = kFewTooNear * static_cast<double>(looked);
+  double too_near = 0, in_square = 0;
+  // By a few at a time: where all are in one direction, each search looks at all of them.
+  for (std::size_t begin = 0; begin < looked && too_near <= most; begin += kAtATime) {
+    cancel();
+    const std::size_t end = std::min(looked, begin + kAtATime);
+    too_near += parallel_sum(end - begin, [&](std::size_t k) {
+      const auto i = static_cast<Index>((begin + k) * step);
+      const double own = distance(i, 1);
+      if (!(own > 0)) return 1;
+      std::vector<double> usual;
+      for (const Index j : tree.nearest(seen[i], kAround + 1)) usual.push_back(distance(j, 1));
+      const auto middle = usual.begin() + static_cast<std::ptrdiff_t>(usual.size() / 2);
+      std::nth_element(usual.begin(), middle, usual.end());
+      return own > kTooNear * *middle ? 0 : 1;
+    });
+    if (too_near > most) break;
+    in_square += parallel_sum(end - begin, [&](std::size_t k) {
+      const auto i = static_cast<Index>((begin + k) * step);
+      return distance(i, 4) < kSquare * distance(i, 1) ? 1 : 0;
+    });
+  }
+  return {too_near <= most, in_square >= kMostSquare * static_cast<double>(looked)};
+}
+
+// Where the lines of sight cross a plane before the viewpoint.
+std::vector<Point2> flat_image(const std::vector<Vec3>& places, const Vec3& viewpoint) {
+  const std::vector<Vec3> seen = directions(places, viewpoint);
+  const Vec3 ahead = middle_of(seen), x = ahead.unitOrthogonal(), y = ahead.cross(x);
+  std::vector<Point2> pixels(places.size());
+  parallel_each(pixels.size(), [&](std::size_t i) {
+    const double depth = ahead.dot(seen[i]);
+    pixels[i] = Point2(x.dot(seen[i]) / depth, y.dot(seen[i]) / depth);
+  });
+  return pixels;
+}
+
+/// Which triangles show their front, seen from the viewpoint, and not edge-on: three pixels in a row do not.
+class Fronts {
+ public:
+  Fronts(const std::vector<Vec3>& places, const Vec3& viewpoint) : seen_(directions(places, viewpoint)) {}
+  bool operator()(Index a, Index b, Index c) const {
+    const Vec3 ab = seen_[b] - seen_[a], bc = seen_[c] - seen_[b], ca = seen_[a] - seen_[c];
+    const double longest2 = std::max({ab.squaredNorm(), bc.squaredNorm(), ca.squaredNorm()});
+    return seen_[a].dot(ab.cross(ca)) > kFront * longest2;
+  }
+
+ private:
+  std::vector<Vec3> seen_;
+};
+
+// Of sites; clockwise on the plane, of which the viewpoint is on the other side.
+std::vector<Corners> delaunay_triangles(const std::vector<Point2>& pixels,
+                                        const std::vector<double>& distance, const Cancel& cancel) {
+  using Vertex = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
+  using Triangulation = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex>>;
+  std::vector<std::size_t> order(pixels.size());
+  std::iota(order.begin(), order.end(), 0);
+  using Map = CGAL::Pointer_property_map<Point2>::const_type;
+  CGAL::spatial_sort(order.begin(), order.end(),
+                     CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>(CGAL::make_property_map(pixels)));
+  Triangulation triangulation;
+  Triangulation::Face_handle near;
+  std::size_t turns = 0;
+  for (const std::size_t i : order) {
+    if (turns++ % 4096 == 0) cancel();
+    const std::size_t before = triangulation.number_of_vertices();
+    const auto vertex = triangulation.insert(pixels[i], near);
+    near = vertex->face();
+    if (triangulation.number_of_vertices() > before || distance[i] < distance[vertex->info()])
+      vertex->info() = static_cast<Index>(i);
+  }
+  std::vector<Corners> triangles;
+  triangles.reserve(triangulation.number_of_faces());
+  for (const auto face : triangulation.finite_face_handles())
+    triangles.push_back({face->vertex(0)->info(), face->vertex(2)->info(), face->vertex(1)->info()});
+  return triangles;
+}
+
+// The triangulated image in space.
+Surface image_film(const std::vector<Vec3>& places, const Vec3& viewpoint,
+                          const std::vector<Point2>& pixels, const Cancel& cancel) {
+  std::vector<double> distance(places.size());
+  parallel_each(places.size(), [&](std::size_t i) { distance[i] = (places[i] - viewpoint).norm(); });
+  std::vector<Corners> triangles = delaunay_triangles(pixels, distance, cancel);
+  // At the rim of the image, the Delaunay triangulation has rows of pixels as triangles.
+  const Fronts shows_front(places, viewpoint);
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
+                                 [&](const Corners& t) { return !shows_front(t[0], t[1], t[2]); }),
+                  triangles.end());
+  return surface_of_sites(std::move(triangles), places);
+}
+
+// Flips edges where the other diagonal of their faces is shorter in space and both faces show their fronts
+// then.
+void flip_to_shorter(Surface& film, const Fronts& shows_front, const Cancel& cancel) {
+  std::vector<Index> twin = half_edge_twins(film.triangles, static_cast<Index>(film.positions.size()));
+  const auto origin = [&](Index h) { return film.triangles[h / 3][h % 3]; };
+  const auto front = [&](Index a, Index b, Index c) {
+    return shows_front(film.site[a], film.site[b], film.site[c]);
+  };
+  const auto length = [&](Index a, Index b) { return (film.positions[a] - film.positions[b]).norm(); };
+  std::vector<Index> waiting(twin.size());
+  std::iota(waiting.rbegin(), waiting.rend(), 0);
+  for (std::size_t turns = 0; !waiting.empty(); ++turns) {
+    if (turns % 65536 == 0) cancel();
+    const Index h = waiting.back(), g = twin[h];
+    waiting.pop_back();
+    if (g == kNone) continue;
+    const Index a = origin(h), b = origin(g), c = origin(prev_in_face(h)), d = origin(prev_in_face(g));
+    if (length(c, d) >= kShorter * length(a, b) || !front(d, c, a) || !front(c, d, b)) continue;
+    flip_edge(film.triangles, twin, h);
+    for (int k = 0; k < 3; ++k) waiting.push_back(h - h % 3 + k), waiting.push_back(g - g % 3 + k);
+  }
+}
+
+// Of each face the gap in space, or that in the image if it is wider. Some pixels of a face seen at a grazing
+// angle are far from all others: what one sample covers is told by those around it as well.
+std::vector<float> wider_gaps(const Surface& film, const std::vector<Point2>& pixels,
+                              const SiteGeometry& geometry) {
+  SiteGeometry in_space;
+  in_space.spacing.resize(pixels.size());
+  std::vector<Vec3> flat(pixels.size());
+  parallel_each(pixels.size(), [&](std::size_t i) {
+    in_space.spacing[i] = std::min(geometry.spacing[i], near_spacing(geometry, static_cast<Index>(i)));
+    flat[i] = {pixels[i].x(), pixels[i].y(), 0};
+  });
+  std::vector<float> gaps = face_gaps(film, in_space);
+  Surface image = film;
+  for (std::size_t v = 0; v < film.site.size(); ++v) image.positions[v] = flat[film.site[v]];
+  const std::vector<float> in_image = face_gaps(image, site_geometry(flat));
+  for (std::size_t t = 0; t < gaps.size(); ++t) gaps[t] = std::max(gaps[t], in_image[t]);
+  return gaps;
+}
+
+}  // namespace
+
+std::optional<DepthImage> image_from(const std::vector<Vec3>& places, const Vec3& viewpoint,
+                                     const SiteGeometry& geometry, const Cancel& cancel) {
+  if (!(viewpoint.norm() < kFarthest) || !within(kWidest, directions(places, viewpoint))) return {};
+  DepthImage image{viewpoint, depth_image_surface(places, viewpoint, geometry, cancel), {}};
+  image.quality = film_quality(image.surface, geometry);
+  const double sites = static_cast<double>(places.size());
+  if (static_cast<double>(image.quality.off) > kFewOff * sites ||
+      static_cast<double>(image.quality.complexity) > kFewParts * sites ||
+      image.quality.disagreement > kSteps)
+    return {};
+  return image;
+}
+
+std::optional<DepthImage> depth_image(const std::vector<Vec3>& places, const SiteGeometry& geometry,
+                                      const std::optional<Vec3>& guess, const Cancel& cancel) {
+  const std::optional<Vec3> found = raster_viewpoint(places, geometry);
+  for (const std::optional<Vec3>& viewpoint : {found, guess}) {
+    if (!viewpoint) continue;
+    std::optional<DepthImage> image = image_from(places, *viewpoint, geometry, cancel);
+    if (!image) continue;
+    const std::vector<Vec3> seen = directions(places, *viewpoint);
+    const Spread spread = spread_of(seen, cancel);
+    if (spread.apart && (viewpoint == found || spread.squares || image->quality.disagreement <= kRough))
+      return image;
+    if (within(kWide, seen) &&
+        static_cast<double>(image->quality.off) <= kHardlyOff * static_cast<double>(places.size()) &&
+        share_between_layers(image->surface, places, geometry, cancel) <= kBetween)
+      return image;
+  }
+  return {};
+}
+
+std::vector<double> depth_image_sides(const TetrahedralMesh& mesh, const std::vector<Vec3>& places,
+                                      const Vec3& viewpoint, const Cancel& cancel) {
+  const Surface film = image_film(places, viewpoint, flat_image(places, viewpoint), cancel);
+  const std::vector<Index> twin = half_edge_twins(film.triangles, static_cast<Index>(film.positions.size()));
+  std::vector<Index> face_of(places.size(), kNone);  // one of the faces at each site that has some
+  for (std::size_t t = 0; t < film.triangles.size(); ++t)
+    for (const Index v : film.triangles[t]) face_of[film.site[v]] = static_cast<Index>(t);
+  std::vector<double> side(mesh.size(), -1);
+  parallel_each(side.size(), [&](std::size_t t) {
+    if (mesh.tets.infinite(static_cast<Index>(t))) return;
+    Vec3 middle = Vec3::Zero();
+    Index face = kNone;
+    for (const Index i : mesh.tets.corners[t]) {
+      middle += places[i] / 4;
+      if (face == kNone) face = face_of[i];
+    }
+    if (face == kNone) return;
+    // A visibility walk, from where the tetrahedron is. It ends in a Delaunay triangulation, at the latest at
+    // its rim; were rounding to let it turn in a ring, it would be left there.
+    for (int steps = 0, turned = 1; turned != 0 && steps < kLongestWalk; ++steps) {
+      turned = 0;
+      for (int k = 0; k < 3 && turned == 0; ++k) {
+        const Vec3 a = film.corner(face, k) - viewpoint, b = film.corner(face, (k + 1) % 3) - viewpoint;
+        const Index next = twin[3 * face + k];
+        if (a.cross(b).dot(middle - viewpoint) > 0 && next != kNone) face = next / 3, turned = 1;
+      }
+    }
+    side[t] = film.area_vector2(face).dot(middle - film.corner(face, 0)) > 0 ? -1 : 1;
+  });
+  const auto volume = [&](double of) {
+    return parallel_sum(side.size(), [&](std::size_t t) {
+      if (side[t] != of || mesh.tets.infinite(static_cast<Index>(t))) return 0.0;
+      const auto& c = mesh.tets.corners[t];
+      const Vec3 &a = places[c[0]], &b = places[c[1]], &d = places[c[2]], &e = places[c[3]];
+      return std::abs((b - a).cross(d - a).dot(e - a));
+    });
+  };
+  if (volume(1) >= kBehind * volume(-1)) return side;
+  parallel_each(side.size(), [&](std::size_t t) {
+    if (!mesh.tets.infinite(static_cast<Index>(t))) side[t] = -side[t];
+  });
+  return side;
+}
+
+Surface depth_image_surface(const std::vector<Vec3>& places, const Vec3& viewpoint,
+                                   const SiteGeometry& geometry, const Cancel& cancel) {
+  const std::vector<Point2> pixels = flat_image(places, viewpoint);
+  Surface film = image_film(places, viewpoint, pixels, cancel);
+  flip_to_shorter(film, Fronts(places, viewpoint), cancel);
+  remove_bridges(film, wider_gaps(film, pixels, geometry), geometry);
+  return film;
+}
+
+}  // namespace filmsticking

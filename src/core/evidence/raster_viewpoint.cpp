@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evidence/raster_viewpoint.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/nearest.h"
+#include "geometry/parallel.h"
+
+namespace filmsticking {
+namespace {
+
+// Pixels that are looked at, about, and their nearest ones, which hold the eight around a pixel.
+constexpr std::size_t kLookedAt = 10000, kAround = 8;
+// Two of these are opposite each other if the middle between them is within such a share of the shorter
+// distance: within the second where those within the first do not tell.
+constexpr double kOpposite[] = {0.125, 0.25};
+// The sine of the bend of three pixels in a row below which rounding and noise say where their plane is; and
+// the least mean weight: that of places on a plane is rounding.
+constexpr double kBend = 0.02, kSomeBend = 1e-5;
+// The sine of the angle between a plane and a line of sight: in the first iteration and the last one it
+// counts for half, and the mean of a raster's, where no more than the third counts, is below the share.
+constexpr double kFirstSlack = 0.5, kLastSlack = 0.01, kMiss = 0.05, kMeet = 0.7;
+constexpr int kIterations = 40;
+// The farthest viewpoint, in sides of the box.
+constexpr double kFarthest = 30;
+
+/// The plane of three pixels in a row.
+struct RowPlane {
+  Vec3 place, normal;  // of the middle pixel, and unit
+  double weight;       // 0 for pixels on a line, and at most 1
+};
+
+// Bends in the surface are of other threes: those of a row are seen in it as lines.
+std::vector<RowPlane> row_planes(const std::vector<Vec3>& places, const PointTree& tree,
+                                 const SiteGeometry& geometry, double opposite) {
+  const std::size_t step = places.size() / kLookedAt + 1, looked = (places.size() + step - 1) / step;
+  std::vector<std::vector<RowPlane>> found(looked);
+  parallel_each(looked, [&](std::size_t i) {
+    const Vec3& middle = places[i * step];
+    const std::vector<Index> near = tree.nearest(middle, kAround + 1);
+    for (std::size_t j = 1; j < near.size(); ++j)
+      for (std::size_t k = j + 1; k < near.size(); ++k) {
+        const Vec3 a = places[near[j]] - middle, b = places[near[k]] - middle, normal = a.cross(b);
+        const double shorter = std::min(a.norm(), b.norm()), size = normal.norm();
+        if ((a + b).norm() > 2 * opposite * shorter || !(size > 0)) continue;
+        const double bend = size / (a.norm() * b.norm()),
+                     along = normal.dot(geometry.normal[i * step]) / size;
+        found[i].push_back(
+            {middle, normal / size, (1 - along * along) * bend * bend / (bend * bend + kBend * kBend)});
+      }
+  });
+  std::vector<RowPlane> planes;
+  for (const std::vector<RowPlane>& of_one : found) planes.insert(planes.end(), of_one.begin(), of_one.end());
+  return planes;
+}
+
+// The sine of the angle between a plane and the line from its place to x.
+double miss(const RowPlane& plane, const Vec3& x) {
+  const Vec3 ray = x - plane.place;
+  return std::abs(plane.normal.dot(ray)) / std::max(ray.norm(), 1e-300);
+}
+
+// One step of least squares: where the planes meet that nearly met at x.
+Vec3 meeting_point(const std::vector<RowPlane>& planes, const Vec3& x, double slack) {
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+  Vec3 right = Vec3::Zero();
+  for (const RowPlane& plane : planes) {
+    const double off = miss(plane, x) / slack;
+    const double weight =
+        plane.weight / ((1 + off * off) * std::max((x - plane.place).squaredNorm(), 1e-300));
+    matrix += weight * plane.normal * plane.normal.transpose();
+    right += weight * plane.normal.dot(plane.place) * plane.normal;
+  }
+  const double held = 1e-9 * matrix.trace();  // where the planes leave x free, it stays
+  matrix += held * Eigen::Matrix3d::Identity();
+  return matrix.ldlt().solve(right + held * x);
+}
+
+std::optional<Vec3> common_point(const std::vector<RowPlane>& planes) {
+  double weight = 0;
+  Vec3 x = Vec3::Zero();
+  for (const RowPlane& plane : planes) weight += plane.weight;
+  if (!(weight > kSomeBend * static_cast<double>(planes.size()))) return {};
+  for (const RowPlane& plane : planes) x += plane.weight / weight * plane.place;
+  for (int i = 0; i < kIterations; ++i) {
+    const double slack = kFirstSlack * std::pow(kLastSlack / kFirstSlack, i / (kIterations - 1.0));
+    const Vec3 next = meeting_point(planes, x, slack);
+    if (!next.allFinite() || next.norm() > kFarthest) return {};
+    x = next;
+  }
+  double missed = 0;
+  for (const RowPlane& plane : planes) missed += plane.weight * std::min(1.0, miss(plane, x) / kMiss);
+  if (missed > kMeet * weight) return {};
+  return x;
+}
+
+}  // namespace
+
+std::optional<Vec3> raster_viewpoint(const std::vector<Vec3>& places, const SiteGeometry& geometry) {
+  const PointTree tree(places);
+  for (const double opposite : kOpposite)
+    if (const auto found = common_point(row_planes(places, tree, geometry, opposite))) return found;
+  return {};
+}
+
+}  // namespace filmsticking

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <new>
+#include <string>
+#include <utility>
+
+#include "filmsticking/execution.h"
+#include "filmsticking/report.h"
+#include "geometry/work_limits.h"
+
+namespace filmsticking {
+
+/// Thrown inside the library when one of the caller's functions threw; never leaves it.
+struct CallbackThrew {
+  std::string what;
+};
+
+/// Runs a function of the caller's. What it throws must not be taken for a failure of the library.
+template <class Call>
+void call_back(const Call& call) {
+  try {
+    call();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw CallbackThrew{error.what()};
+  } catch (...) {
+    throw CallbackThrew{"an exception of unknown type"};
+  }
+}
+
+/// Keeps the time by rooms, tells the caller how far the work is, and listens for the caller's stop.
+class Monitor {
+ public:
+  Monitor(const Execution& execution, Report& report) : execution_(execution), report_(report) {}
+  ~Monitor() { leave(); }
+  Monitor(const Monitor&) = delete;
+  Monitor& operator=(const Monitor&) = delete;
+
+  /// Leaves the room at work and enters another; `share` of the whole work is done.
+  void enter(const char* room, double share) {
+    leave();
+    auto it = std::find_if(report_.rooms.begin(), report_.rooms.end(),
+                           [&](const RoomSeconds& r) { return r.room == room; });
+    if (it == report_.rooms.end()) it = report_.rooms.insert(report_.rooms.end(), {room, 0});
+    index_ = it - report_.rooms.begin();
+    start_ = Clock::now();
+    room_ = room;
+    progress(share);
+  }
+
+  void progress(double share) {
+    cancel()();
+    share_ = std::max(share_, std::min(share, 1.0));
+    if (execution_.progress) call_back([&] { execution_.progress(share_, room_); });
+  }
+
+  double share() const { return share_; }
+  Cancel cancel() const { return {execution_.cancel}; }
+  const Execution& execution() const { return execution_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void leave() {
+    if (index_ < 0) return;
+    report_.rooms[static_cast<std::size_t>(index_)].seconds +=
+        std::chrono::duration<double>(Clock::now() - start_).count();
+    index_ = -1;
+  }
+
+  const Execution& execution_;
+  Report& report_;
+  std::ptrdiff_t index_ = -1;
+  Clock::time_point start_;
+  const char* room_ = "";
+  double share_ = 0;
+};
+
+}  // namespace filmsticking

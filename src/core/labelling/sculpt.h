@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "evidence/facet_evidence.h"
+#include "labelling/minimum_cut.h"
+#include "delaunay/tetrahedral_mesh.h"
+#include "geometry/work_limits.h"
+
+namespace filmsticking {
+
+/// Sculpting (paper, section 5; Wang et al. 2022) as a minimum cut: the inside of a shape among the Delaunay
+/// tetrahedra that costs least between what is believed of each tetrahedron and what its facets cost as
+/// surface. hold[t]: > 0 what it costs to leave t outside, < 0 to have it inside, in the unit of the evidence
+/// (area). Infinite ones are outside whatever it says, unless the surface may be `open`: then it may reach
+/// infinity, which is where its rim is.
+///
+/// Beliefs may be held more firmly from cut to cut, and a cut goes on from the flow of the one before: its
+/// labels are those of a cut from the start.
+class Sculptor {
+ public:
+  /// `mesh` must outlive it.
+  Sculptor(const TetrahedralMesh& mesh, const FacetEvidence& evidence, const std::vector<double>& hold,
+           bool open = false);
+
+  /// 1 inside, 0 outside.
+  std::vector<char> cut(const Cancel& cancel = {});
+
+  /// hold[t] was `before` and is `now`, which has the same sign and is no smaller.
+  void hold_firmly(Index t, double before, double now);
+
+ private:
+  std::int64_t price(double cost) const;
+
+  const TetrahedralMesh& mesh_;
+  const bool open_;
+  double unit_ = 1;
+  CutGraph graph_;
+  std::vector<char> fallback_;
+};
+
+}  // namespace filmsticking

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "labelling/two_sides.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <queue>
+#include <utility>
+
+#include "geometry/parallel.h"
+
+namespace filmsticking {
+namespace {
+
+// Facets with edges longer than this, in spacings, say less: by the fourth power, so that the rim of an open
+// surface, which wide facets go around from one side to the other, does not count against the surface.
+constexpr double kNear = 2;
+// What a facet says of the side that a viewpoint is on, as a share of what it says of its tetrahedra. It
+// counts when clusters have grown: from facet to facet noise and faces along the line of sight would be
+// believed more than their neighbours.
+constexpr double kViewShare = 0.03;
+
+/// The edges of the surface: of the facets that enough corners vote for.
+class SurfaceEdges {
+ public:
+  SurfaceEdges(const TetrahedralMesh& mesh, const FacetEvidence& evidence, int votes) {
+    for (std::size_t t = 0; t < mesh.size(); ++t)
+      for (int k = 0; k < 4; ++k) {
+        if (mesh.mirror[t][k] < static_cast<Index>(4 * t) + k || evidence.votes[t][k] < votes) continue;
+        for (const auto& edge : edges_of(mesh.tets.corners[t], k)) edges_.push_back(edge);
+      }
+    std::sort(edges_.begin(), edges_.end());
+  }
+
+  /// Does a facet stand on the surface, on an edge between two of its facets, and has no edge of its rim?
+  bool carry(const std::array<Index, 4>& corners, int k) const {
+    bool carried = false;
+    for (const auto& edge : edges_of(corners, k)) {
+      const auto [first, last] = std::equal_range(edges_.begin(), edges_.end(), edge);
+      if (last - first == 1) return false;
+      carried = carried || last != first;
+    }
+    return carried;
+  }
+
+ private:
+  using Edge = std::pair<Index, Index>;
+
+  static std::array<Edge, 3> edges_of(const std::array<Index, 4>& corners, int k) {
+    std::array<Edge, 3> edges;
+    for (int i = 0; i < 3; ++i)
+      edges[i] = std::minmax({corners[kFacet[k][i]], corners[kFacet[k][(i + 1) % 3]]});
+    return edges;
+  }
+
+  std::vector<Edge> edges_;
+};
+
+/// Clusters of tetrahedra, each with a sign relative to its root.
+class SignedClusters {
+ public:
+  explicit SignedClusters(std::size_t n) : parent_(n), sign_(n, 1) {
+    for (std::size_t i = 0; i < n; ++i) parent_[i] = static_cast<Index>(i);
+  }
+
+  /// The root of i's cluster, and i's sign in it. Ends: join() takes roots of two trees, so there are no
+  /// rings.
+  std::pair<Index, int> find(Index i) {
+    Index root = i;
+    int sign = 1;
+    for (; parent_[root] != root; root = parent_[root]) sign *= sign_[root];
+    for (int rest = sign; parent_[i] != i;) {  // the path points at the root from now on
+      const Index next = parent_[i];
+      const auto own = sign_[i];
+      parent_[i] = root, sign_[i] = static_cast<signed char>(rest);
+      rest *= own, i = next;
+    }
+    return {root, sign};
+  }
+
+  /// Joins two roots, `a` stays one. `sign`: that of b in a's cluster.
+  void join(Index a, Index b, int sign) { parent_[b] = a, sign_[b] = static_cast<signed char>(sign); }
+
+ private:
+  std::vector<Index> parent_;
+  std::vector<signed char> sign_;
+};
+
+/// The contraction. An edge is a facet, named 4 t + k from its lesser side. Of n tetrahedra, cluster n is the
+/// side away from the viewpoint, and 4 n + root the edge between that and another cluster.
+class Contraction {
+ public:
+  Contraction(const TetrahedralMesh& mesh, std::vector<double> weight)
+      : mesh_(mesh),
+        behind_(static_cast<Index>(mesh.size())),
+        weight_(std::move(weight)),
+        clusters_(mesh.size() + 1),
+        edges_(mesh.size() + 1) {
+    std::vector<std::pair<double, Index>> all;
+    for (std::size_t e = 0; e < weight_.size(); ++e)
+      if (weight_[e] != 0) all.emplace_back(std::abs(weight_[e]), -static_cast<Index>(e));
+    strongest_ = decltype(strongest_)(std::less<std::pair<double, Index>>(), std::move(all));
+  }
+
+  /// Ends: every contraction leaves one cluster less, and every entry is taken once.
+  SignedClusters run(const Cancel& cancel) {
+    for (std::uint64_t turns = 0; !strongest_.empty(); ++turns) {
+      if (turns % 4096 == 0) cancel();
+      const auto [strength, minus_e] = strongest_.top();
+      strongest_.pop();
+      if (std::abs(weight_[-minus_e]) == strength) contract(-minus_e);
+    }
+    return std::move(clusters_);
+  }
+
+ private:
+  std::pair<Index, Index> ends(Index e) const {
+    if (e >= view(0)) return {behind_, e - view(0)};
+    return {e / 4, mesh_.tets.neighbours[e / 4][e % 4]};
+  }
+
+  Index view(Index root) const { return 4 * behind_ + root; }
+
+  // The edges of a cluster but view(); of one tetrahedron, its facets.
+  std::vector<Index>& edges(Index root) {
+    std::vector<Index>& list = edges_[root];
+    if (list.empty())
+      for (int k = 0; k < 4; ++k) {
+        const Index e = std::min(4 * root + k, mesh_.mirror[root][k]);
+        if (weight_[e] != 0) list.push_back(e);
+      }
+    return list;
+  }
+
+  // The edge between two clusters, or kNone.
+  Index between(Index a, Index c) {
+    std::vector<Index>* list = &edges(a);
+    if (edges(c).size() < list->size()) list = &edges(c), std::swap(a, c);
+    Index found = kNone;
+    std::size_t kept = 0;
+    for (Index e : *list) {
+      if (weight_[e] == 0) continue;
+      (*list)[kept++] = e;
+      const auto [t, u] = ends(e);
+      const Index x = clusters_.find(t).first, y = clusters_.find(u).first;
+      if ((x == a && y == c) || (x == c && y == a)) found = e;
+    }
+    list->resize(kept);
+    return found;
+  }
+
+  void contract(Index e) {
+    const auto [t, u] = ends(e);
+    auto [a, sign_t] = clusters_.find(t);
+    auto [b, sign_u] = clusters_.find(u);
+    const int sign = (weight_[e] > 0 ? 1 : -1) * sign_t * sign_u;
+    weight_[e] = 0;
+    if (b == behind_ || (a != behind_ && edges(a).size() < edges(b).size())) std::swap(a, b);
+    // Edges from both to a third become one; the others of b become a's.
+    std::vector<Index> moved;
+    for (Index f : edges(b)) {
+      if (weight_[f] == 0) continue;
+      const auto [x, y] = ends(f);
+      const auto [root_x, sign_x] = clusters_.find(x);
+      const auto [root_y, sign_y] = clusters_.find(y);
+      const Index third = root_x == b ? root_y : root_x;
+      const Index g = a == behind_ ? view(third) : between(a, third);
+      if (g == kNone) {
+        moved.push_back(f);
+        continue;
+      }
+      const auto [p, q] = ends(g);
+      const int signs = sign_x * sign_y * sign * clusters_.find(p).second * clusters_.find(q).second;
+      add(g, signs * weight_[f]);
+      weight_[f] = 0;
+    }
+    clusters_.join(a, b, sign);
+    if (a != behind_) {
+      add(view(a), sign * weight_[view(b)]);
+      edges_[a].insert(edges_[a].end(), moved.begin(), moved.end());
+    }
+    weight_[view(b)] = 0;
+    std::vector<Index>().swap(edges_[b]);
+  }
+
+  void add(Index e, double weight) {
+    if (weight == 0) return;
+    weight_[e] += weight;
+    if (weight_[e] != 0) strongest_.emplace(std::abs(weight_[e]), -e);
+  }
+
+  const TetrahedralMesh& mesh_;
+  const Index behind_;
+  std::vector<double> weight_;  // of an edge; 0: gone
+  SignedClusters clusters_;
+  std::vector<std::vector<Index>> edges_;
+  std::priority_queue<std::pair<double, Index>> strongest_;
+};
+
+// What the facets say of their tetrahedra and a viewpoint, to the edges of the contraction.
+void add_view(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites, const Vec3& viewpoint,
+              std::vector<double>& weight) {
+  const std::size_t n = mesh.size();
+  for (std::size_t t = 0; t < n; ++t)
+    for (int k = 0; k < 4; ++k) {
+      const double surface = -weight[4 * t + k];
+      if (!(surface > 0)) continue;
+      const auto& c = mesh.tets.corners[t];
+      const Vec3 &a = sites[c[kFacet[k][0]]], &b = sites[c[kFacet[k][1]]], &d = sites[c[kFacet[k][2]]];
+      const Vec3 out = (b - a).cross(d - a), ray = viewpoint - (a + b + d) / 3;
+      const double lengths = out.norm() * ray.norm();
+      if (!(lengths > 0)) continue;
+      const double behind = kViewShare * surface * out.dot(ray) / lengths;
+      weight[4 * n + t] += behind;
+      weight[4 * n + static_cast<std::size_t>(mesh.tets.neighbours[t][k])] -= behind;
+    }
+}
+
+}  // namespace
+
+std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
+                              const FacetEvidence& evidence, const SiteGeometry& geometry, const RimRule& rim,
+                              const Vec3* viewpoint, const Cancel& cancel) {
+  std::vector<double> weight(5 * mesh.size(), 0);
+  const SurfaceEdges surface(mesh, evidence, rim.votes);
+  parallel_each(mesh.size(), [&](std::size_t t) {
+    for (int k = 0; k < 4; ++k) {
+      if (mesh.mirror[t][k] < static_cast<Index>(4 * t) + k || !(evidence.area[t][k] > 0)) continue;
+      const auto& c = mesh.tets.corners[t];
+      const Index i = c[kFacet[k][0]], j = c[kFacet[k][1]], l = c[kFacet[k][2]];
+      const double spacing = std::max({geometry.spacing[i], geometry.spacing[j], geometry.spacing[l]});
+      const double edge2 = std::max({(sites[i] - sites[j]).squaredNorm(), (sites[j] - sites[l]).squaredNorm(),
+                                     (sites[l] - sites[i]).squaredNorm()});
+      const double sample = spacing * spacing, near = std::min(1.0, kNear * kNear * sample / edge2);
+      const double coupling = kVoteCoupling[evidence.votes[t][k]];
+      weight[4 * t + k] = coupling * std::min<double>(evidence.area[t][k], sample) * near * near *
+                          (coupling > 0 && !surface.carry(c, k) ? rim.weight : 1);
+    }
+  });
+  if (viewpoint != nullptr) add_view(mesh, sites, *viewpoint, weight);
+  Contraction contraction(mesh, std::move(weight));
+  SignedClusters clusters = contraction.run(cancel);
+
+  std::vector<double> hull(mesh.size() + 1, 0);  // of a root: its area with its sign less that with the other
+  for (std::size_t t = 0; t < mesh.size(); ++t) {
+    if (!mesh.tets.infinite(static_cast<Index>(t))) continue;
+    const auto [root, sign] = clusters.find(static_cast<Index>(t));
+    for (double area : evidence.area[t]) hull[root] += sign * area;
+  }
+  std::vector<double> side(mesh.size());
+  for (std::size_t t = 0; t < mesh.size(); ++t) {
+    const auto [root, sign] = clusters.find(static_cast<Index>(t));
+    side[t] = hull[root] >= 0 ? -sign : sign;
+  }
+  return side;
+}
+
+}  // namespace filmsticking

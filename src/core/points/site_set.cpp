@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "points/site_set.h"
+
+#include <tbb/parallel_sort.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "geometry/parallel.h"
+
+namespace filmsticking {
+namespace {
+
+// Flatter than this share of the box is flat: what a turned plane has left after rounding to float.
+constexpr double kFlat = 3e-7;
+
+std::uint64_t mix(std::uint64_t x) {
+  x ^= x >> 33;
+  x *= 0xff51afd7ed558ccdULL;
+  x ^= x >> 33;
+  x *= 0xc4ceb9fe1a85ec53ULL;
+  return x ^ (x >> 33);
+}
+
+std::uint64_t bits_of(double x) {
+  std::uint64_t bits;
+  x += 0.0;  // -0 becomes 0
+  std::memcpy(&bits, &x, sizeof bits);
+  return bits;
+}
+
+std::uint64_t hash(const Vec3& p) {
+  std::uint64_t h = 0;
+  for (int k = 0; k < 3; ++k) h = mix(h ^ bits_of(p[k])) + 0x9e3779b97f4a7c15ULL;
+  return h;
+}
+
+// 21 bits spread to every third place.
+std::uint64_t spread(std::uint64_t x) {
+  x &= 0x1fffff;
+  x = (x | x << 32) & 0x1f00000000ffffULL;
+  x = (x | x << 16) & 0x1f0000ff0000ffULL;
+  x = (x | x << 8) & 0x100f00f00f00f00fULL;
+  x = (x | x << 4) & 0x10c30c30c30c30c3ULL;
+  return (x | x << 2) & 0x1249249249249249ULL;
+}
+
+std::uint64_t morton(const Vec3& p) {
+  std::uint64_t code = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double cell = std::clamp((p[k] + 0.5) * 2097151.0, 0.0, 2097151.0);
+    code |= spread(static_cast<std::uint64_t>(cell)) << k;
+  }
+  return code;
+}
+
+// The 24 turns of a cube onto itself.
+std::vector<AxisTurn> axis_turns() {
+  std::vector<AxisTurn> turns;
+  std::array<int, 3> axis{0, 1, 2};
+  do {
+    const bool odd = (axis[0] > axis[1]) != ((axis[1] > axis[2]) != (axis[0] > axis[2]));
+    for (int minus = 0; minus < 8; ++minus) {
+      const AxisTurn turn{axis, {minus & 1 ? -1. : 1., minus & 2 ? -1. : 1., minus & 4 ? -1. : 1.}};
+      if ((turn.sign[0] * turn.sign[1] * turn.sign[2] < 0) == odd) turns.push_back(turn);
+    }
+  } while (std::next_permutation(axis.begin(), axis.end()));
+  return turns;
+}
+
+// The turn after which the sums of hashes of the coordinates come first, of each axis and, where these are
+// the same for several, of the points: sums do not depend on an order, and these are of whole numbers.
+AxisTurn canonical_turn(const std::vector<Vec3>& points) {
+  std::array<std::array<std::uint64_t, 2>, 3> sum{};  // of each axis, as it is and mirrored
+  for (const Vec3& p : points)
+    for (int k = 0; k < 3; ++k) {
+      sum[k][0] += mix(bits_of(p[k]));
+      sum[k][1] += mix(bits_of(-p[k]));
+    }
+  const auto by_axes = [&](const AxisTurn& turn) {
+    std::array<std::uint64_t, 3> key{};
+    for (int k = 0; k < 3; ++k) key[k] = sum[turn.axis[k]][turn.sign[k] < 0];
+    return key;
+  };
+  std::vector<AxisTurn> turns = axis_turns();
+  std::stable_sort(turns.begin(), turns.end(),
+                   [&](const AxisTurn& a, const AxisTurn& b) { return by_axes(a) < by_axes(b); });
+  AxisTurn best = turns[0];
+  std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
+  for (const AxisTurn& turn : turns) {
+    if (by_axes(turn) != by_axes(turns[0])) break;
+    if (by_axes(turns[1]) != by_axes(turns[0])) break;  // there is only one
+    std::uint64_t key = 0;
+    for (const Vec3& p : points) key += mix(hash(turn(p)));
+    if (key < least) least = key, best = turn;
+  }
+  return best;
+}
+
+}  // namespace
+
+SiteSet make_site_set(const PointsView& points) {
+  SiteSet set;
+  struct Entry {
+    std::uint64_t code;
+    std::int32_t id;
+  };
+  std::vector<Entry> entries;
+  entries.reserve(points.size());
+  const double inf = std::numeric_limits<double>::infinity();
+  Vec3 lo(inf, inf, inf), hi(-inf, -inf, -inf);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point p = points[i];
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) {
+      ++set.non_finite;
+      continue;
+    }
+    const Vec3 v(p[0], p[1], p[2]);
+    lo = lo.cwiseMin(v);
+    hi = hi.cwiseMax(v);
+    entries.push_back({0, static_cast<std::int32_t>(i)});
+  }
+  if (entries.empty()) return set;
+  // Halves first: the box of extreme coordinates must not overflow.
+  set.centre = lo * 0.5 + hi * 0.5;
+  const double half = (hi * 0.5 - lo * 0.5).maxCoeff();
+  set.side = half > 0 ? std::min(half, std::numeric_limits<double>::max() / 4) * 2 : 1;
+
+  const auto sort_entries = [&] {
+    parallel_each(entries.size(), [&](std::size_t i) {
+      entries[i].code = morton(set.to_unit(points[static_cast<std::size_t>(entries[i].id)]));
+    });
+    tbb::parallel_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+      if (a.code != b.code) return a.code < b.code;
+      const Point p = points[static_cast<std::size_t>(a.id)], q = points[static_cast<std::size_t>(b.id)];
+      if (p == q) return a.id < b.id;
+      const Vec3 u = set.turn(Vec3(p[0], p[1], p[2])), v = set.turn(Vec3(q[0], q[1], q[2]));
+      return std::lexicographical_compare(u.data(), u.data() + 3, v.data(), v.data() + 3);
+    });
+  };
+  sort_entries();
+  // Equal points have equal codes and stand side by side.
+  const auto distinct = std::unique(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+    return points[static_cast<std::size_t>(a.id)] == points[static_cast<std::size_t>(b.id)];
+  });
+  set.duplicates = std::distance(distinct, entries.end());
+  entries.erase(distinct, entries.end());
+
+  set.perturbed.resize(entries.size());  // neither turned nor perturbed yet
+  parallel_each(entries.size(), [&](std::size_t i) {
+    set.perturbed[i] = set.to_unit(points[static_cast<std::size_t>(entries[i].id)]);
+  });
+  set.turn = canonical_turn(set.perturbed);
+  sort_entries();
+  set.input.resize(entries.size());
+  parallel_each(entries.size(), [&](std::size_t i) {
+    set.input[i] = entries[i].id;
+    const Vec3 p = set.to_unit(points[static_cast<std::size_t>(entries[i].id)]);
+    std::uint64_t h = hash(p);
+    Vec3 shift;
+    for (int k = 0; k < 3; ++k) {
+      h = mix(h + 0x9e3779b97f4a7c15ULL);
+      shift[k] = (static_cast<double>(h >> 11) * (2.0 / 9007199254740992.0) - 1.0) * kPerturbation;
+    }
+    set.perturbed[i] = p + shift;
+  });
+  return set;
+}
+
+bool SiteSet::coplanar(const PointsView& points) const {
+  auto farthest = [&](auto&& distance) {
+    std::size_t best = 0;
+    double most = -1;
+    for (std::size_t i = 0; i < size(); ++i)
+      if (const double d = distance(exact(points, i)); d > most) most = d, best = i;
+    return exact(points, best);
+  };
+  const Vec3 a = exact(points, 0);
+  const Vec3 b = farthest([&](const Vec3& x) { return (x - a).squaredNorm(); });
+  const Vec3 u = (b - a).normalized();
+  auto off_line = [&](const Vec3& x) { return Vec3(x - a - u.dot(x - a) * u); };
+  const Vec3 v = off_line(farthest([&](const Vec3& x) { return off_line(x).squaredNorm(); }));
+  if (v.norm() < kFlat) return true;
+  const Vec3 n = u.cross(v.normalized());
+  for (std::size_t i = 0; i < size(); ++i)
+    if (!(std::abs(n.dot(exact(points, i) - a)) < kFlat)) return false;
+  return true;
+}
+
+}  // namespace filmsticking

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/surface_quality.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/triangle_adjacency.h"
+
+namespace filmsticking {
+
+FilmQuality film_quality(const Surface& film, const SiteGeometry& geometry) {
+  FilmQuality quality;
+  double area = 0, sum = 0, whole = 0, wide = 0;
+  std::vector<Vec3> vertex_normal(geometry.spacing.size(), Vec3::Zero());
+  for (const Corners& t : film.triangles) {
+    const Vec3 &a = film.positions[t[0]], &b = film.positions[t[1]], &c = film.positions[t[2]];
+    const Vec3 normal = (b - a).cross(c - a);
+    const double twice = normal.norm();
+    if (!(twice > 0)) continue;
+    double disagree = 0, spacing = 0;
+    for (Index v : t) {
+      vertex_normal[film.site[v]] += normal;
+      disagree += 1 - std::abs(normal.dot(geometry.normal[film.site[v]])) / twice;
+      spacing = std::max(spacing, geometry.spacing[film.site[v]]);
+    }
+    // A face bridging a gap says no more than one sample does.
+    const double weight = std::min(twice, 2 * spacing * spacing);
+    area += weight;
+    sum += weight * disagree / 3;
+    whole += twice;
+    if ((a - b).norm() * (b - c).norm() * (c - a).norm() / (2 * twice) > 3 * spacing)
+      ++quality.wide_faces, wide += twice;
+  }
+  if (whole > 0) quality.bridging = wide / whole;
+  if (area > 0) quality.disagreement = sum / area;
+  std::int64_t pairs = 0, opposed = 0;
+  for (Index s : film.site)
+    for (Index other : geometry.near[s]) {
+      if (other == kNone || vertex_normal[other].isZero()) continue;
+      ++pairs;
+      opposed += vertex_normal[s].dot(vertex_normal[other]) < 0;
+    }
+  if (pairs > 0) quality.conflict = static_cast<double>(opposed) / static_cast<double>(pairs);
+  std::vector<Index> component;
+  const std::vector<Index> twin = half_edge_twins(film.triangles, static_cast<Index>(film.positions.size()));
+  const std::int64_t pieces = connected_components(twin, component);
+  const std::int64_t rim = std::count(twin.begin(), twin.end(), kNone);
+  const auto faces = static_cast<std::int64_t>(film.triangles.size());
+  const std::int64_t euler = static_cast<std::int64_t>(film.positions.size()) - (faces + rim) / 2;
+  quality.handles = std::max<std::int64_t>(0, 2 * pieces - euler - boundary_loops(twin)) / 2;
+  quality.complexity = pieces + std::max<std::int64_t>(0, 2 * pieces - euler) / 2;
+  quality.off =
+      static_cast<std::int64_t>(geometry.spacing.size()) - sites_on(film, geometry.spacing.size());
+  return quality;
+}
+
+}  // namespace filmsticking

@@ -1,0 +1,536 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of points and meshes: every format read, every format written and read back with the same numbers.
+#include <gtest/gtest.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/point_types.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <random>
+#include <sstream>
+
+#include "io/files.h"
+#include "io/format.h"
+#include "io/io_error.h"
+#include "io/model_file.h"
+#include "io/obj.h"
+#include "io/ply.h"
+#include "io/stl.h"
+#include "io/xyz.h"
+#include "support/scratch_folder.h"
+
+namespace filmsticking::test {
+namespace {
+
+using io::Colour;
+using io::IoError;
+using io::Model;
+
+/// A tetrahedron with awkward coordinates, in double or rounded to single precision.
+Model tetrahedron(bool single) {
+  Model model;
+  model.positions = {{1.0 / 3, -2e-7, 500000.1234567891},
+                     {M_PI, 1e-30, 4649776.224740001},
+                     {-0.1, 7.25, 4649776.2},
+                     {0, 1e17 / 7, -1.0 / 7}};
+  if (single)
+    for (Point& p : model.positions)
+      for (double& x : p) x = static_cast<float>(x);
+  model.colours = {Colour{0, 1, 2}, Colour{253, 254, 255}, Colour{127, 128, 129}, Colour{10, 200, 30}};
+  model.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  return model;
+}
+
+/// The same bits: -0 is not 0.
+bool same_bits(const std::vector<Point>& a, const std::vector<Point>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Point)) == 0;
+}
+
+/// The corners of the triangles, one after the other.
+std::vector<Point> corners(const Model& model) {
+  std::vector<Point> points;
+  for (const Triangle& t : model.triangles)
+    for (const int k : t) points.push_back(model.positions[k]);
+  return points;
+}
+
+void write_text(const std::string& path, std::string_view text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+std::string error_of(const std::string& path) {
+  try {
+    io::read_cloud(path);
+  } catch (const IoError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string ply_header(const std::string& format, const std::string& type, int vertices, int faces) {
+  return "ply\nformat " + format + " 1.0\ncomment made for a test\nelement vertex " +
+         std::to_string(vertices) + "\nproperty " + type + " x\nproperty " + type + " y\nproperty " + type +
+         " z\nelement face " + std::to_string(faces) +
+         "\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+template <typename T>
+void append(std::string& bytes, T value, bool big_endian) {
+  char raw[sizeof value];
+  std::memcpy(raw, &value, sizeof value);
+  if (big_endian) std::reverse(raw, raw + sizeof value);
+  bytes.append(raw, sizeof value);
+}
+
+// ---- writing and reading back
+// -------------------------------------------------------------------------------
+
+class RoundTrip : public ::testing::TestWithParam<std::tuple<const char*, bool>> {};
+
+TEST_P(RoundTrip, KeepsEveryBit) {
+  const auto [extension, single] = GetParam();
+  const ScratchFolder folder;
+  const std::string path = folder / ("mesh" + std::string(extension));
+  const Model model = tetrahedron(single);
+  io::write_model(path, model);
+  const Model back = io::read_mesh(path);
+  EXPECT_TRUE(same_bits(back.positions, model.positions));
+  EXPECT_EQ(back.colours, model.colours);
+  EXPECT_EQ(back.triangles, model.triangles);
+  EXPECT_EQ(folder.count(), 1u);  // nothing left beside it
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip,
+                         ::testing::Combine(::testing::Values(".ply", ".obj", ".vtk", ".PLY"),
+                                            ::testing::Bool()),
+                         [](const auto& variant) {
+                           const std::string extension = std::get<0>(variant.param) + 1;
+                           return extension + (std::get<1>(variant.param) ? "Single" : "Double");
+                         });
+
+TEST(Stl, SinglePrecisionIsBinaryAndKeepsEveryBit) {
+  const Model model = tetrahedron(true);
+  const std::string bytes = io::encode_model("stl", model);
+  ASSERT_EQ(bytes.size(), 84u + 50u * model.triangles.size());
+  for (std::size_t t = 0; t < model.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      float corner[3];
+      std::memcpy(corner, bytes.data() + 84 + 50 * t + 12 + 12 * k, sizeof corner);
+      for (std::size_t a = 0; a < 3; ++a) EXPECT_EQ(corner[a], model.positions[model.triangles[t][k]][a]);
+    }
+}
+
+TEST(Stl, DoublePrecisionIsTextAndKeepsEveryBit) {
+  const Model model = tetrahedron(false);
+  const std::string bytes = io::encode_model("stl", model);
+  EXPECT_EQ(bytes.rfind("solid", 0), 0u);
+  EXPECT_TRUE(same_bits(corners(io::decode_stl(bytes)), corners(model)));
+}
+
+TEST(Stl, EqualCornersBecomeOneVertex) {
+  const Model back = io::decode_stl(io::encode_model("stl", tetrahedron(true)));
+  EXPECT_EQ(back.positions.size(), 4u);
+  EXPECT_TRUE(same_bits(corners(back), corners(tetrahedron(true))));
+}
+
+TEST(Stl, ABinaryFileMayBeginWithSolid) {
+  std::string bytes = io::encode_model("stl", tetrahedron(true));
+  bytes.replace(0, 5, "solid");
+  EXPECT_EQ(io::decode_stl(bytes).triangles.size(), 4u);
+  EXPECT_EQ(io::decode_stl(io::encode_model("stl", tetrahedron(true)) + "and more").triangles.size(), 4u);
+}
+
+TEST(Stl, BrokenFilesAreRefused) {
+  const std::string binary = io::encode_model("stl", tetrahedron(true));
+  for (std::size_t size = 0; size < binary.size(); ++size)
+    EXPECT_THROW(io::decode_stl(binary.substr(0, size)), IoError) << size;
+  for (const char* text : {"solid\nendsolid\n", "solid\nvertex 0 0 0\nvertex 1 0 0\n",
+                           "solid\nvertex 0 zero 0\n", "solid\nvertex 0 0 nan\nvertex 0 0 1\nvertex 1 0 1\n"})
+    EXPECT_THROW(io::decode_stl(text), IoError) << text;
+}
+
+TEST(Ply, CoordinatesAreFloatWhereThatKeepsThem) {
+  EXPECT_NE(io::encode_model("ply", tetrahedron(true)).find("property float x"), std::string::npos);
+  EXPECT_NE(io::encode_model("ply", tetrahedron(false)).find("property double x"), std::string::npos);
+  Model far;
+  far.positions = {{1e300, 0, 0}};
+  EXPECT_TRUE(same_bits(io::decode_ply(io::encode_model("ply", far)).positions, far.positions));
+}
+
+TEST(RandomNumbers, ComeBackFromTextAndBinary) {
+  std::mt19937_64 random(1);
+  Model model;
+  for (int i = 0; i < 3000; ++i) {
+    Point p{};
+    for (double& x : p) do {
+        const std::uint64_t bits = random();
+        std::memcpy(&x, &bits, sizeof x);
+      } while (!std::isfinite(x));
+    model.positions.push_back(p);
+  }
+  EXPECT_TRUE(same_bits(io::decode_ply(io::encode_model("ply", model)).positions, model.positions));
+  EXPECT_TRUE(same_bits(io::decode_obj(io::encode_model("obj", model)).positions, model.positions));
+}
+
+// ---- PLY
+// ------------------------------------------------------------------------------------------------------
+
+class PlyVariant : public ::testing::TestWithParam<std::tuple<const char*, const char*>> {};
+
+TEST_P(PlyVariant, IsReadToTheLastBit) {
+  const std::string format = std::get<0>(GetParam()), type = std::get<1>(GetParam());
+  const bool single = type == "float";
+  const Model model = tetrahedron(single);
+  std::string bytes = ply_header(format, type, 4, 2);
+  if (format == "ascii") {
+    char line[200];
+    for (const Point& p : model.positions) {
+      std::snprintf(line, sizeof line, single ? "%.9g %.9g %.9g\n" : "%.17g %.17g %.17g\n", p[0], p[1], p[2]);
+      bytes += line;
+    }
+    bytes += "3 0 1 2\n4 0 1 2 3\n";
+  } else {
+    const bool big = format == "binary_big_endian";
+    for (const Point& p : model.positions)
+      for (const double x : p) {
+        if (single) {
+          append(bytes, static_cast<float>(x), big);
+        } else {
+          append(bytes, x, big);
+        }
+      }
+    append(bytes, std::uint8_t{3}, big);
+    for (const int k : {0, 1, 2}) append(bytes, k, big);
+    append(bytes, std::uint8_t{4}, big);
+    for (const int k : {0, 1, 2, 3}) append(bytes, k, big);
+  }
+  const Model back = io::decode_ply(bytes);
+  EXPECT_TRUE(same_bits(back.positions, model.positions));
+  EXPECT_EQ(back.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}, {0, 2, 3}}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, PlyVariant,
+                         ::testing::Combine(::testing::Values("ascii", "binary_little_endian",
+                                                              "binary_big_endian"),
+                                            ::testing::Values("float", "double")),
+                         [](const auto& variant) {
+                           return std::string(std::get<0>(variant.param)) + "_" + std::get<1>(variant.param);
+                         });
+
+TEST(Ply, OtherPropertiesAndElementsAreSkipped) {
+  const Model model = io::decode_ply(
+      "ply\r\nformat ascii 1.0\r\nobj_info x\r\nelement camera 1\r\nproperty float a\r\nelement vertex 2\r\n"
+      "property uchar red\r\nproperty int x\r\nproperty list uchar float weights\r\nproperty short y\r\n"
+      "property uchar green\r\nproperty uchar blue\r\nproperty double z\r\nelement edge 1\r\n"
+      "property int vertex1\r\nproperty int vertex2\r\nend_header\r\n"
+      "9\r\n1 10 2 0.5 0.5 20 2 3 30.5\r\n4 -11 0 nan 5 6 31.5\r\n0 1\r\n");
+  ASSERT_EQ(model.positions.size(), 2u);
+  EXPECT_EQ(model.positions[0], (Point{10, 20, 30.5}));
+  EXPECT_TRUE(std::isnan(model.positions[1][1]));
+  EXPECT_EQ(model.colours, (std::vector<Colour>{{1, 2, 3}, {4, 5, 6}}));
+}
+
+TEST(Ply, TextIsRoundedOnceToTheDeclaredType) {
+  // Halfway between two floats but for the last digit: by way of double it would fall to the wrong side.
+  const std::string text = "1.00000005960464477540";
+  const Model model = io::decode_ply(ply_header("ascii", "float", 1, 0) + text + " 0 0\n");
+  float expected = 0;
+  std::from_chars(text.data(), text.data() + text.size(), expected);
+  EXPECT_EQ(model.positions[0][0], expected);
+}
+
+TEST(Ply, AnEarlierFileWithFacesFirstIsRead) {
+  const Model model = io::decode_ply(
+      "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar uint vertex_index\nelement vertex 3\n"
+      "property float x\nproperty float y\nproperty float z\nend_header\n3 2 1 0\n0 0 0\n1 0 0\n0 1 0\n");
+  EXPECT_EQ(model.triangles, (std::vector<Triangle>{{2, 1, 0}}));
+}
+
+TEST(Ply, BrokenFilesAreRefused) {
+  const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n";
+  const std::vector<std::string> broken = {
+      "",
+      "plx\n",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n",  // no end of header
+      ply_header("ascii", "float", 4, 0) + vertices,                  // a vertex is missing
+      ply_header("ascii", "float", 2000000000, 0) + vertices,         // an absurd number
+      ply_header("binary_little_endian", "float", 2000000000, 0) + vertices,
+      ply_header("ascii", "float", -3, 0) + vertices,
+      ply_header("ascii", "wide", 3, 0) + vertices,                 // unknown type
+      ply_header("zipped", "float", 3, 0) + vertices,               // unknown format
+      ply_header("ascii", "float", 3, 1) + vertices + "3 0 1 3\n",  // no such vertex
+      ply_header("ascii", "float", 3, 1) + vertices + "3 0 1 -1\n",
+      ply_header("ascii", "float", 3, 1) + vertices + "200000000 0 1 2\n",  // an absurd length
+      ply_header("ascii", "float", 3, 1) + vertices + "-1 0 1 2\n",
+      ply_header("ascii", "float", 3, 0) + "0 0 0\n1 zero 0\n0 1 0\n",               // not a number
+      "ply\nformat ascii 1.0\nproperty float x\nend_header\n",                       // of what element?
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n",  // no y and z
+  };
+  for (const std::string& bytes : broken) EXPECT_THROW(io::decode_ply(bytes), IoError) << bytes;
+  const std::string whole = io::encode_model("ply", tetrahedron(false));
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    EXPECT_THROW(io::decode_ply(std::string_view(whole).substr(0, size)), IoError) << size;
+}
+
+TEST(Ply, ColoursThatAreNoBytesAreRefused) {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n0 0 0 ";
+  EXPECT_EQ(io::decode_ply(header + "0 128 255\n").colours, (std::vector<Colour>{{0, 128, 255}}));
+  for (const char* colour : {"0 256 0", "-1 0 0", "0 0 nan", "1e300 0 0"})
+    EXPECT_THROW(io::decode_ply(header + colour), IoError) << colour;
+}
+
+TEST(Ply, FacesOfVerticesThatOnlyTheHeaderHasAreRefused) {
+  const std::string begin = "ply\nformat ascii 1.0\n", vertices = "element vertex 3\n",
+                    xyz = "property float x\nproperty float y\nproperty float z\n",
+                    faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n",
+                    points = "0 0 0\n1 0 0\n0 1 0\n";
+  EXPECT_EQ(io::decode_ply(begin + vertices + xyz + faces + points + "3 0 1 2\n").triangles.size(), 1u);
+  EXPECT_THROW(io::decode_ply(begin + vertices + faces + "3 0 1 2\n"), IoError);  // without properties
+  EXPECT_THROW(io::decode_ply(begin + vertices + xyz + "element vertex 6\n" + xyz + faces + points + points +
+                              points + "3 0 1 5\n"),
+               IoError);  // there are two kinds of them
+}
+
+// ---- OBJ, XYZ
+// -----------------------------------------------------------------------------------------------
+
+TEST(Obj, IsRead) {
+  const Model model = io::decode_obj(
+      "# a comment\nmtllib none.mtl\no thing\nv 0.1 +2 3e0\nv 1 0 0 1.0\r\nv 0 1 0\nv -0.0 1 1\nvn 0 0 1\n"
+      "vt 0 0\ns off\nf 1/1/1 2//1 3/1\nf -4 -3 -2 -1\n");
+  ASSERT_EQ(model.positions.size(), 4u);
+  EXPECT_EQ(model.positions[0], (Point{0.1, 2, 3}));
+  EXPECT_TRUE(std::signbit(model.positions[3][0]));
+  EXPECT_EQ(model.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}, {0, 2, 3}}));
+  EXPECT_TRUE(model.colours.empty());
+}
+
+TEST(Obj, BrokenFilesAreRefused) {
+  for (const char* text :
+       {"v 0 0\n", "v 0 0 zero\n", "v 0 0 0\nf 1 2 3\n", "v 0 0 0\nf 1 1 0\n", "v 0 0 0\nf 1 1 -2\n",
+        "v 0 0 0\nf a b c\n", "v 0 0 0\nf 1 1 99999999999999999999\n"})
+    EXPECT_THROW(io::decode_obj(text), IoError) << text;
+}
+
+TEST(Obj, AColourThatIsNoNumberIsNone) {
+  EXPECT_EQ(io::decode_obj("v 0 0 0 nan 1 0.5\n").colours, (std::vector<Colour>{{0, 255, 128}}));
+}
+
+TEST(Xyz, SeparatorsCommentsAndHeadingsAreUnderstood) {
+  const Model model = io::decode_xyz(
+      "3\nX,Y,Z,Intensity\n# comment\n// another\n\n0.1 0.2 0.3\n1,2,3,0.5\r\n\t4; 5; 6\nnan NaN "
+      "inf\n7\t8\t9");
+  ASSERT_EQ(model.positions.size(), 5u);
+  EXPECT_EQ(model.positions[0], (Point{0.1, 0.2, 0.3}));
+  EXPECT_EQ(model.positions[1], (Point{1, 2, 3}));
+  EXPECT_EQ(model.positions[2], (Point{4, 5, 6}));
+  EXPECT_TRUE(std::isnan(model.positions[3][0]));
+  EXPECT_EQ(model.positions[4], (Point{7, 8, 9}));
+}
+
+TEST(Xyz, WholeNumbersUpTo255AreColours) {
+  EXPECT_EQ(io::decode_xyz("0 0 0 255 128 0\n1 0 0 1 2 3 0.5\n").colours,
+            (std::vector<Colour>{{255, 128, 0}, {1, 2, 3}}));
+  EXPECT_TRUE(io::decode_xyz("0 0 0 0 0 1\n1 0 0 0 1 0\n").colours.empty());  // normals
+  EXPECT_TRUE(io::decode_xyz("0 0 0 0.5 0 0.5\n1 0 0 255 0 0\n").colours.empty());
+  EXPECT_TRUE(io::decode_xyz("0 0 0 255 0 256\n").colours.empty());
+}
+
+TEST(Xyz, ABrokenLineIsNamed) {
+  try {
+    io::decode_xyz("0 0 0\n1 1 1\n2 2\n");
+    FAIL();
+  } catch (const IoError& error) {
+    EXPECT_NE(std::string(error.what()).find("line 3"), std::string::npos);
+  }
+}
+
+// ---- PCD
+// ------------------------------------------------------------------------------------------------------
+
+TEST(Pcd, BunnyIsReadAsItsTextSays) {
+  const Model model = io::read_cloud(TEST_DATA "/bun0.pcd");
+  ASSERT_EQ(model.positions.size(), 397u);
+  std::ifstream file(TEST_DATA "/bun0.pcd");
+  std::string word;
+  while (file >> word && word != "ascii") {
+  }
+  for (const Point& p : model.positions) {
+    for (int k = 0; k < 7; ++k) {
+      ASSERT_TRUE(file >> word);
+      float value = 0;
+      std::from_chars(word.data(), word.data() + word.size(), value);
+      ASSERT_TRUE(k >= 3 || p[k] == value);
+    }
+  }
+}
+
+class PcdVariant : public ::testing::TestWithParam<int> {};
+
+TEST_P(PcdVariant, KeepsBitsAndColours) {
+  const Model expected = tetrahedron(true);
+  pcl::PointCloud<pcl::PointXYZRGB> cloud;
+  for (std::size_t i = 0; i < 4; ++i) {
+    pcl::PointXYZRGB point;
+    point.getVector3fMap() = Eigen::Map<const Eigen::Vector3d>(expected.positions[i].data()).cast<float>();
+    point.r = expected.colours[i][0];
+    point.g = expected.colours[i][1];
+    point.b = expected.colours[i][2];
+    cloud.push_back(point);
+  }
+  const ScratchFolder folder;
+  const std::string path = folder / "cloud.pcd";
+  pcl::PCDWriter writer;
+  if (GetParam() == 0) writer.writeASCII(path, cloud, 9);
+  if (GetParam() == 1) writer.writeBinary(path, cloud);
+  if (GetParam() == 2) writer.writeBinaryCompressed(path, cloud);
+  const Model model = io::read_cloud(path);
+  EXPECT_TRUE(same_bits(model.positions, expected.positions));
+  EXPECT_EQ(model.colours, expected.colours);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, PcdVariant, ::testing::Values(0, 1, 2), [](const auto& variant) {
+  return std::string(variant.param == 0 ? "Ascii" : variant.param == 1 ? "Binary" : "Compressed");
+});
+
+TEST(Pcd, DoublesStayDouble) {
+  const ScratchFolder folder;
+  write_text(folder / "cloud.pcd",
+             "VERSION 0.7\nFIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 2\nHEIGHT 1\n"
+             "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 2\nDATA ascii\n500000.1234567891 4649776.224740001 0.1\nnan "
+             "nan nan\n");
+  const Model model = io::read_cloud(folder / "cloud.pcd");
+  ASSERT_EQ(model.positions.size(), 2u);
+  EXPECT_EQ(model.positions[0], (Point{500000.1234567891, 4649776.224740001, 0.1}));
+  EXPECT_TRUE(std::isnan(model.positions[1][2]));
+}
+
+TEST(Pcd, SaysWhereTheSensorWas) {
+  const ScratchFolder folder;
+  const auto viewpoint = [&](const std::string& line) {
+    write_text(folder / "cloud.pcd",
+               "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 1\nHEIGHT 1\n" + line +
+                   "POINTS 1\nDATA ascii\n1 2 3\n");
+    return io::read_cloud(folder / "cloud.pcd").viewpoint;
+  };
+  EXPECT_EQ(viewpoint("VIEWPOINT 1.5 -2 3e2 1 0 0 0\n"), (Point{1.5, -2, 300}));
+  // It is a hint only.
+  for (const char* line :
+       {"", "VIEWPOINT 1 2\n", "VIEWPOINT 1 nan 2 1 0 0 0\n", "VIEWPOINT a b c\n", "VIEWPOINT 1 2 1e999\n"})
+    EXPECT_FALSE(viewpoint(line)) << line;
+}
+
+TEST(Pcd, BrokenFilesAreRefusedQuietly) {
+  const ScratchFolder folder;
+  const std::string fields = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n";
+  const std::vector<std::string> broken = {
+      "nothing like it",
+      fields + "WIDTH 3\nHEIGHT 1\nPOINTS 3\n",                                       // no data
+      fields + "WIDTH 3\nHEIGHT 1\nPOINTS 3\nDATA ascii\n0 0 0\n",                    // too short
+      fields + "WIDTH 2000000000\nHEIGHT 1\nPOINTS 2000000000\nDATA ascii\n0 0 0\n",  // an absurd number
+      fields + "WIDTH 2000000000\nHEIGHT 1\nPOINTS 2000000000\nDATA binary\n012345678901",
+      fields + "WIDTH 2000000000\nHEIGHT 1\nPOINTS 2000000000\nDATA binary_compressed\n0123456789",
+      fields + "WIDTH 3\nHEIGHT 1\nPOINTS 3\nDATA binary\n0123456789",
+      fields + "WIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA binary_compressed\n0123456789",
+      fields + "WIDTH two\nHEIGHT 1\nPOINTS two\nDATA ascii\n0 0 0\n",
+      "VERSION 0.7\nFIELDS a b c\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA "
+      "ascii\n0 0 0\n",
+  };
+  for (const std::string& text : broken) {
+    write_text(folder / "cloud.pcd", text);
+    ::testing::internal::CaptureStderr();
+    EXPECT_NE(error_of(folder / "cloud.pcd"), "") << text;
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+  }
+}
+
+// ---- files
+// ------------------------------------------------------------------------------------------------------
+
+TEST(Formats, AMeshIsSentInPiecesOfItsSize) {
+  Model model;
+  for (int i = 0; i < 20000; ++i) {
+    model.positions.push_back({i / 3.0, 0.1 * (i % 7), -i / 7.0});
+    model.colours.push_back({static_cast<std::uint8_t>(i), 1, 2});
+    model.triangles.push_back({i, (i + 1) % 20000, (i + 2) % 20000});
+  }
+  for (const std::string& format : io::mesh_formats()) {
+    std::size_t most = 0;
+    std::string sent;
+    io::encode_model(format, model, [&](std::string_view piece) {
+      most = std::max(most, piece.size());
+      sent += piece;
+    });
+    EXPECT_GT(sent.size(), 400000u) << format;
+    EXPECT_LT(most, 70000u) << format;
+    EXPECT_EQ(sent, io::encode_model(format, model)) << format;
+  }
+}
+
+TEST(Files, WhatCannotBeReadIsSaid) {
+  const ScratchFolder folder;
+  write_text(folder / "empty.ply", "");
+  write_text(folder / "none.xyz", "# no points\n");
+  write_text(folder / "cloud.las", "LASF");
+  write_text(folder / "noise.stl", "noise");
+  EXPECT_NE(error_of(folder / "missing.ply"), "");
+  EXPECT_NE(error_of(folder.path().string()), "");
+  for (const char* name : {"empty.ply", "none.xyz", "cloud.las", "noise.stl"})
+    EXPECT_NE(error_of(folder / name), "") << name;
+}
+
+TEST(Files, MoreBytesThanTheBoundAreNotRead) {
+  const ScratchFolder folder;
+  write_text(folder / "cloud.xyz", "0 0 0\n1 0 0\n");
+  EXPECT_EQ(io::read_file(folder / "cloud.xyz", 12).size(), 12u);
+  EXPECT_THROW(io::read_file(folder / "cloud.xyz", 11), IoError);
+  EXPECT_THROW(io::read_cloud(folder / "cloud.xyz", 11), IoError);
+  // A file with a hole: no byte of it is on the disk.
+  std::filesystem::resize_file(folder / "cloud.xyz", io::most_bytes_read() + 1);
+  EXPECT_NE(error_of(folder / "cloud.xyz").find("larger"), std::string::npos);
+}
+
+TEST(Files, AFileIsReplacedWholeThroughALink) {
+  const ScratchFolder folder;
+  write_text(folder / "target.ply", "old");
+  std::filesystem::create_symlink(folder / "target.ply", folder / "link.ply");
+  io::write_file(folder / "link.ply", "new bytes");
+  EXPECT_EQ(io::read_file(folder / "target.ply"), "new bytes");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.ply"));
+  EXPECT_EQ(folder.count(), 2u);
+}
+
+TEST(Files, WhatEndsHalfwayLeavesWhatWasThere) {
+  const ScratchFolder folder;
+  const auto write_half = [&] {
+    io::write_file(folder / "mesh.ply", [](const io::ByteSink& sink) {
+      sink("half of it");
+      throw IoError("enough");
+    });
+  };
+  EXPECT_THROW(write_half(), IoError);
+  EXPECT_EQ(folder.count(), 0u);
+  write_text(folder / "mesh.ply", "old");
+  EXPECT_THROW(write_half(), IoError);
+  EXPECT_EQ(folder.count(), 1u);
+  EXPECT_EQ(io::read_file(folder / "mesh.ply"), "old");
+}
+
+TEST(Files, WhatCannotBeWrittenIsRefused) {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder / "folder.ply");
+  EXPECT_THROW(io::write_file(folder / "folder.ply", "x"), IoError);
+  EXPECT_THROW(io::write_file(folder / "no/such/folder.ply", "x"), IoError);
+  EXPECT_THROW(io::write_file("/dev/null", "x"), IoError);
+  EXPECT_THROW(io::write_file("/proc/mesh.ply", "x"), IoError);
+  EXPECT_THROW(io::write_model(folder / "mesh.foo", tetrahedron(true)), IoError);
+  EXPECT_EQ(folder.count(), 1u);
+}
+
+}  // namespace
+}  // namespace filmsticking::test

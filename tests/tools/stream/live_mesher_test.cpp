@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stream/live_mesher.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <set>
+#include <vector>
+
+#include "support/clouds.h"
+#include "support/surface_check.h"
+
+namespace filmsticking::stream {
+namespace {
+
+using std::chrono::seconds;
+
+const Mesher::Clock::time_point kStart = Mesher::Clock::now();
+
+io::Model ball(int points, std::uint64_t seed = 1, Point centre = {0, 0, 0}) {
+  return {test::sphere(points, seed, centre), {}, {}};
+}
+
+class MesherTest : public testing::Test {
+ protected:
+  std::vector<Outcome> published;
+  Mesher mesher{[this](const Outcome& outcome) { published.push_back(outcome); }};
+  Settings settings;
+};
+
+TEST_F(MesherTest, MeshesEachFrameAsItCame) {
+  io::Model frame = ball(500);
+  for (Point& p : frame.positions)
+    for (double& x : p) x = static_cast<float>(x);
+  frame.colours.assign(frame.positions.size(), {10, 20, 30});
+  mesher.set(settings);
+  mesher.add(frame, {"map", 42}, kStart);
+  const auto outcome = mesher.wait(1);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->status, Status::Ok);
+  EXPECT_EQ(outcome->origin.frame_id, "map");
+  EXPECT_EQ(outcome->origin.stamp, 42);
+  EXPECT_EQ(test::surface_fault({outcome->mesh.positions, outcome->mesh.triangles}), "");
+  EXPECT_EQ(outcome->mesh.colours, std::vector<io::Colour>(outcome->mesh.positions.size(), {10, 20, 30}));
+  const std::set<Point> points(frame.positions.begin(), frame.positions.end());
+  for (const Point& p : outcome->mesh.positions) EXPECT_TRUE(points.count(p));
+  ASSERT_EQ(published.size(), 1u);
+  EXPECT_EQ(published[0].mesh.triangles, outcome->mesh.triangles);
+  EXPECT_EQ(mesher.last_mesh(), outcome);
+}
+
+TEST_F(MesherTest, ByCount) {
+  settings.every_frames = 3;
+  settings.bounds.window = 0;
+  mesher.set(settings);
+  for (int frame = 1; frame <= 7; ++frame) {
+    mesher.add(ball(60, static_cast<std::uint64_t>(frame)), {"map", frame}, kStart);
+    if (frame % 3 == 0) {
+      const auto outcome = mesher.wait(static_cast<Mesher::Ticket>(frame / 3));
+      ASSERT_TRUE(outcome);
+      EXPECT_EQ(outcome->points, 60 * frame);
+      EXPECT_EQ(outcome->origin.stamp, frame);
+    }
+  }
+  EXPECT_EQ(mesher.facts().meshes, 2);
+  EXPECT_EQ(mesher.facts().frames, 7);
+}
+
+TEST_F(MesherTest, ByTimeIfSomethingCame) {
+  settings.every_frames = 0;
+  settings.every_seconds = 2;
+  mesher.set(settings);
+  mesher.tick(kStart + seconds(100));
+  mesher.add(ball(100), {}, kStart + seconds(200));
+  mesher.tick(kStart + seconds(201));
+  EXPECT_FALSE(mesher.facts().busy);
+  mesher.tick(kStart + seconds(202));
+  ASSERT_TRUE(mesher.wait(1));
+  mesher.tick(kStart + seconds(300));
+  EXPECT_FALSE(mesher.facts().busy);
+  mesher.add(ball(100), {}, kStart + seconds(301));
+  mesher.tick(kStart + seconds(301));  // the former is long ago
+  ASSERT_TRUE(mesher.wait(2));
+  EXPECT_EQ(mesher.facts().meshes, 2);
+}
+
+TEST_F(MesherTest, OnRequestOnly) {
+  settings.every_frames = 0;
+  mesher.set(settings);
+  EXPECT_EQ(mesher.request(), 0u);
+  mesher.add(ball(100), {}, kStart);
+  EXPECT_FALSE(mesher.facts().busy);
+  const Mesher::Ticket ticket = mesher.request();
+  ASSERT_EQ(ticket, 1u);
+  ASSERT_TRUE(mesher.wait(ticket));
+  EXPECT_EQ(mesher.facts().held, 100);
+}
+
+TEST_F(MesherTest, SaysWhyThereIsNoMeshAndKeepsTheLast) {
+  mesher.set(settings);
+  mesher.add(ball(100), {}, kStart);
+  const auto good = mesher.wait(1);
+  mesher.add({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 3, 0}}, {}, {}}, {}, kStart);
+  const auto flat = mesher.wait(2);
+  ASSERT_TRUE(flat);
+  EXPECT_EQ(flat->status, Status::Coplanar);
+  EXPECT_FALSE(flat->message.empty());
+  EXPECT_EQ(mesher.last(), flat);
+  EXPECT_EQ(mesher.last_mesh(), good);
+}
+
+TEST_F(MesherTest, RunsTheFilters) {
+  settings.filters.crop = filters::Box{{-2, -2, -2}, {2, 2, 2}};
+  settings.bounds.window = 2;
+  settings.every_frames = 2;
+  mesher.set(settings);
+  mesher.add(ball(200, 1, {5, 0, 0}), {}, kStart);
+  mesher.add(ball(200, 2), {}, kStart);
+  const auto outcome = mesher.wait(1);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->points, 400);
+  EXPECT_EQ(outcome->report.points, 200);
+}
+
+TEST_F(MesherTest, AFilterThatCannotRunIsAFailure) {
+  settings.filters.voxel = 1e-300;
+  mesher.set(settings);
+  mesher.add(ball(200), {}, kStart);
+  const auto outcome = mesher.wait(1);
+  ASSERT_TRUE(outcome);
+  EXPECT_NE(outcome->status, Status::Ok);
+  EXPECT_FALSE(outcome->message.empty());
+}
+
+TEST_F(MesherTest, ResetForgetsAllAndPublishesAnEmptyMesh) {
+  mesher.set(settings);
+  mesher.add(ball(20000), {"map", 1}, kStart);  // still runs at the reset, or does not: nothing is left of it
+  mesher.reset();
+  EXPECT_EQ(mesher.facts().held, 0);
+  EXPECT_EQ(mesher.request(), 0u);
+  EXPECT_FALSE(mesher.wait(1));
+  EXPECT_FALSE(mesher.last_mesh());
+  ASSERT_FALSE(published.empty());
+  EXPECT_TRUE(published.back().mesh.triangles.empty());
+
+  mesher.add(ball(100), {"map", 2}, kStart);
+  const auto outcome = mesher.wait(2);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->points, 100);
+}
+
+TEST_F(MesherTest, ABurstEndsWithTheNewestAndHoldsNoMoreThanItMay) {
+  settings.bounds.window = 0;
+  settings.bounds.max_points = 3000;
+  mesher.set(settings);
+  constexpr int kFrames = 300;
+  for (int frame = 1; frame <= kFrames; ++frame)
+    mesher.add(ball(500, static_cast<std::uint64_t>(frame)), {"map", frame}, kStart);
+  const auto outcome = mesher.wait(kFrames);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->origin.stamp, kFrames);
+  EXPECT_EQ(test::surface_fault({outcome->mesh.positions, outcome->mesh.triangles}), "");
+  const Facts facts = mesher.facts();
+  EXPECT_LE(facts.held, 3000);
+  EXPECT_GT(facts.given_up, 0);
+  EXPECT_EQ(facts.meshes + facts.superseded, kFrames);
+}
+
+TEST_F(MesherTest, NewerDataCanEndTheRunningOne) {
+  settings.cancel_outdated = true;
+  mesher.set(settings);
+  mesher.add(ball(100000), {"map", 1}, kStart);
+  mesher.add(ball(100), {"map", 2}, kStart);
+  const auto outcome = mesher.wait(2);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->origin.stamp, 2);
+  EXPECT_EQ(published.size(), 1u);
+}
+
+}  // namespace
+}  // namespace filmsticking::stream
