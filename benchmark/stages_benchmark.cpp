@@ -9,22 +9,22 @@
 #include <memory>
 
 #include "delaunay/delaunay.h"
+#include "delaunay/power_diagram.h"
 #include "evidence/ball.h"
 #include "evidence/facet_evidence.h"
+#include "evidence/signed_field.h"
+#include "film/film.h"
+#include "film/restricted_power_diagram.h"
+#include "film/winding_number.h"
+#include "geometry/nearest.h"
+#include "geometry/parallel.h"
+#include "geometry/triangle_adjacency.h"
 #include "labelling/manifold_labels.h"
 #include "labelling/minimum_cut.h"
-#include "evidence/signed_field.h"
-#include "film/winding_number.h"
-#include "film/film.h"
-#include "surface/surface_quality.h"
-#include "geometry/nearest.h"
-#include "surface/orientation.h"
-#include "geometry/parallel.h"
-#include "delaunay/power_diagram.h"
-#include "film/restricted_power_diagram.h"
 #include "points/site_set.h"
 #include "support/clouds.h"
-#include "geometry/triangle_adjacency.h"
+#include "surface/orientation.h"
+#include "surface/surface_quality.h"
 
 namespace filmsticking {
 namespace {
@@ -165,7 +165,8 @@ void register_rooms() {
     parallel_each(triangle.size(), [&](std::size_t i) { triangle[i] = tree.nearest(h.sites[i]).triangle; });
     return triangle.size();
   });
-  room("self-check: quality", [](const House& h) { return film_quality(h.film, h.geometry).disagreement; });
+  room("self-check: quality",
+       [](const House& h) { return surface_quality(h.film, h.geometry).disagreement; });
   room("self-check: orientation and manifold", [](const House& h) {
     Surface film = h.film;
     std::vector<Point> places;

@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "stream/live_frame.h"
 #include "io/model.h"
+#include "stream/live_frame.h"
 #include "stream/shading.h"
 
 namespace filmsticking::stream {

@@ -25,9 +25,9 @@
 #include "conversions.h"
 #include "filmsticking_pp/FilmstickingConfig.h"
 #include "filters/filter_options.h"
-#include "stream/live_frame.h"
 #include "io/io_error.h"
 #include "io/model_file.h"
+#include "stream/live_frame.h"
 #include "stream/live_mesher.h"
 
 namespace {

@@ -3,9 +3,9 @@
 
 #include <sstream>
 
-#include "stream/frame_source.h"
 #include "common/filter_arguments.h"
 #include "common/reconstruction_arguments.h"
+#include "stream/frame_source.h"
 
 namespace po = boost::program_options;
 

@@ -8,10 +8,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "stream/accumulator.h"
-#include "stream/background_mesher.h"
-#include "stream/capture_error.h"
-#include "stream/frame_source.h"
 #include "capture_bar.h"
 #include "command_line.h"
 #include "common/mesh_model.h"
@@ -24,6 +20,10 @@
 #include "io/files.h"
 #include "io/model_file.h"
 #include "io/with_file.h"
+#include "stream/accumulator.h"
+#include "stream/background_mesher.h"
+#include "stream/capture_error.h"
+#include "stream/frame_source.h"
 
 namespace fs = std::filesystem;
 using namespace filmsticking;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reconstruction_arguments.h"
 
+#include <optional>
+
 #include "filters/filter_options.h"
 
 namespace po = boost::program_options;
@@ -40,10 +42,10 @@ Options reconstruction_options(const Arguments& given) {
     if (parse_choice<bool>(name, text, {{"default", false}, {"paper", true}})) options = Options::paper();
   });
   given.with("init", [&](const auto& name, const auto& text) {
-    options.initial_surface = parse_choice<InitialSurface>(name, text,
-                                                           {{"sphere", InitialSurface::Sphere},
-                                                            {"wrap", InitialSurface::Wrap},
-                                                            {"carve", InitialSurface::Carve}});
+    const auto start = parse_choice<std::optional<FilmStart>>(
+        name, text, {{"sphere", FilmStart::Sphere}, {"wrap", FilmStart::Wrap}, {"carve", std::nullopt}});
+    options.method = start ? Method::Film : Method::Labelling;
+    options.film_start = start.value_or(FilmStart::Sphere);
   });
   given.with("field", [&](const auto& name, const auto& text) {
     options.field = parse_choice<FieldMethod>(

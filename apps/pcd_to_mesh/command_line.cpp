@@ -58,8 +58,11 @@ std::vector<Task> tasks_of(const std::vector<std::string>& inputs, const std::st
     const std::string name = fs::path(input).stem().string() + "." + format;
     const auto [other, is_new] = input_of.emplace(name, input);
     if (!is_new)
-      throw UsageError(
-          std::string(other->second).append(" and ").append(input).append(" would both become ").append(name));
+      throw UsageError(std::string(other->second)
+                           .append(" and ")
+                           .append(input)
+                           .append(" would both become ")
+                           .append(name));
     tasks.push_back({input, (fs::path(folder) / name).string()});
   }
   return tasks;

@@ -19,8 +19,8 @@ std::vector<Sample> sample_depth_view(const Mesh& mesh, std::size_t count, std::
 /// From the mesh's frame to that of the camera, which is at the origin and looks along z.
 Eigen::Isometry3d depth_camera_frame(const Mesh& mesh, std::uint64_t seed);
 
-/// The part of the mesh that the same camera sees, in pieces of at most `size` across, longer where they are thin,
-/// that are seen whole or not at all.
+/// The part of the mesh that the same camera sees, in pieces of at most `size` across, longer where they are
+/// thin, that are seen whole or not at all.
 Mesh visible_part(const Mesh& mesh, std::uint64_t seed, double size);
 
 }  // namespace filmsticking::bench

@@ -32,7 +32,8 @@ po::options_description options(CommandLine& command, Lists& lists) {
       "where", po::value(&lists.where)->value_name("COLUMN=VALUE"),
       "only such rows of a .tsv table; repeatable")(
       "points", text(&lists.points, "N,.."), "how many, like 10K; speed: default 10K,50K,100K,200K,500K,1M")(
-      "sampling", text(&lists.sampling, "S,.."), "monte-carlo (default), poisson-disk, mixed-density, vertices, depth-view, depth-frame")(
+      "sampling", text(&lists.sampling, "S,.."),
+      "monte-carlo (default), poisson-disk, mixed-density, vertices, depth-view, depth-frame")(
       "seeds", text(&lists.seeds, "N,.."), "default 1")("noise", text(&lists.noise, "X,.."),
                                                         "Gaussian, its deviation as a share of the diagonal, "
                                                         "or with an s behind it, of the spacing; default 0")(

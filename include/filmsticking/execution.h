@@ -8,8 +8,9 @@
 
 namespace filmsticking {
 
-/// The caller's hand on a running reconstruction. All members are optional. Where one of the functions throws,
-/// the reconstruction ends with Status::Cancelled and says what was thrown (std::bad_alloc: OutOfMemory).
+/// The caller's hand on a running reconstruction. All members are optional. Where one of the functions
+/// throws, the reconstruction ends with Status::Cancelled and says what was thrown (std::bad_alloc:
+/// OutOfMemory).
 struct Execution {
   /// Called from the calling thread with the share done, 0 to 1 and never falling, and the room at work.
   std::function<void(double share, const char* room)> progress;

@@ -10,13 +10,25 @@
 
 namespace filmsticking {
 
-/// The closed surface that the film starts from (paper, section 3).
-enum class InitialSurface {
+/// What makes the surface.
+enum class Method {
+  Labelling,  ///< a minimum cut labels the Delaunay tetrahedra inside or outside; moves mend the labels
+  Film,       ///< the paper's: a film steps from `Options::film_start` towards the points
+};
+
+/// The closed surface that a film starts from (paper, section 3).
+enum class FilmStart {
   Sphere,  ///< the bounding sphere: the paper's choice
   Wrap,    ///< a coarse alpha wrap of the points (CGAL)
-  Carve,  ///< none: the surface is carved out of the Delaunay tetrahedra, and the film from the sphere is for
-          ///< clouds that give no inside
-  Given,  ///< `Options::guiding_surface`
+  Given,   ///< `Options::guiding_surface`
+};
+
+/// The former name of Method and FilmStart in one; goes with version 0.3.
+enum class InitialSurface {
+  Sphere,  ///< Method::Film from FilmStart::Sphere
+  Wrap,    ///< Method::Film from FilmStart::Wrap
+  Carve,   ///< what `Options::method` says
+  Given,   ///< Method::Film from FilmStart::Given
 };
 
 /// How dangling plates are removed and the topology is corrected (paper, section 5).
@@ -34,9 +46,12 @@ enum class RingChoice {
 
 /// Everything that can be chosen. The defaults need no tuning; `paper()` runs the paper's own pipeline.
 struct Options {
-  InitialSurface initial_surface = InitialSurface::Carve;  ///< where the film starts
-  FieldMethod field = FieldMethod::Sculpt;                 ///< what corrects the film's topology
-  RingChoice ring = RingChoice::Smooth;                    ///< which region of several a site keeps
+  Method method = Method::Labelling;         ///< what makes the surface
+  FilmStart film_start = FilmStart::Sphere;  ///< where a film starts
+  FieldMethod field = FieldMethod::Sculpt;   ///< what corrects a film's topology
+  RingChoice ring = RingChoice::Smooth;      ///< which region of several a site keeps
+  /// The former way to choose `method` and `film_start`; wins over both unless it is Carve.
+  InitialSurface initial_surface = InitialSurface::Carve;
 
   /// For `virtual_sites`: one per local scale.
   static constexpr int kAdaptiveVirtualSites = -1;
@@ -63,7 +78,7 @@ struct Options {
   /// shows all its faces to its viewpoint if it is to be open, and else what is behind it. Mostly the points
   /// themselves say where that is; where they do not, as they are thinned or noisy, this is tried. Of points
   /// that cannot all be seen from there, or are as well understood without, and with another
-  /// `initial_surface` than Carve, it changes nothing.
+  /// method than Labelling, it changes nothing.
   std::optional<Point> viewpoint;
 
   /// Bring on outliers, too: points far from all others that are no part of a surface. They are left off
@@ -90,7 +105,7 @@ struct Options {
   /// Status::OutOfMemory.
   std::int64_t max_memory = 0;
 
-  /// A closed oriented 2-manifold, for InitialSurface::Given.
+  /// A closed oriented 2-manifold, for FilmStart::Given.
   std::shared_ptr<const Mesh> guiding_surface;
 
   /// The paper's pipeline: sphere, 1000 virtual sites, weights, one Poisson round, nothing inserted, no edge
@@ -98,5 +113,25 @@ struct Options {
   /// the film through the shape.
   FILMSTICKING_EXPORT static Options paper();
 };
+
+/// The method that the options ask for, by its present or its former name.
+inline Method method_of(const Options& options) {
+  return options.initial_surface == InitialSurface::Carve ? options.method : Method::Film;
+}
+
+/// The surface that a film starts from, by its present or its former name.
+inline FilmStart film_start_of(const Options& options) {
+  switch (options.initial_surface) {
+    case InitialSurface::Sphere:
+      return FilmStart::Sphere;
+    case InitialSurface::Wrap:
+      return FilmStart::Wrap;
+    case InitialSurface::Given:
+      return FilmStart::Given;
+    case InitialSurface::Carve:
+      break;
+  }
+  return options.film_start;
+}
 
 }  // namespace filmsticking

@@ -13,9 +13,9 @@ struct StepRecord {
   std::int64_t attracted = 0;     ///< points on the film after the step
   std::int64_t virtual_left = 0;  ///< virtual sites not yet attracted
   std::int64_t weighted = 0;      ///< points that were given a weight in this step
-  /// Surplus regions removed, double edges resolved, thin regions dropped: a film that is on its way meets cells
-  /// more than once. Films at rest on an even surface have none; a film whose sites have nearly all several
-  /// regions is a double skin, and is given up for another.
+  /// Surplus regions removed, double edges resolved, thin regions dropped: a film that is on its way meets
+  /// cells more than once. Films at rest on an even surface have none; a film whose sites have nearly all
+  /// several regions is a double skin, and is given up for another.
   std::int64_t regions_repaired = 0;
   double seconds = 0;  ///< wall time
 };
@@ -33,18 +33,18 @@ struct Report {
   std::int64_t non_finite = 0;    ///< points left out because a coordinate is NaN or infinite
   std::int64_t duplicates = 0;    ///< points left out because an equal one came before
   std::int64_t interpolated = 0;  ///< sites that are vertices of the result
-  /// Sites left off because no others are near (see Options::keep_outliers): at most a third, where more look like
-  /// outliers none is. None of an evenly sampled surface.
+  /// Sites left off because no others are near (see Options::keep_outliers): at most a third, where more look
+  /// like outliers none is. None of an evenly sampled surface.
   std::int64_t outliers = 0;
-  std::int64_t tetrahedra = 0;    ///< of the sites' Delaunay triangulation; 0: an open depth image needs none
-  /// Times that a site was brought on to the surface by itself at the end, which the cut or the film had left off:
-  /// one in hundreds on clean clouds, many of thin walls and noise.
+  std::int64_t tetrahedra = 0;  ///< of the sites' Delaunay triangulation; 0: an open depth image needs none
+  /// Times that a site was brought on to the surface by itself at the end, which the cut or the film had left
+  /// off: one in hundreds on clean clouds, many of thin walls and noise.
   std::int64_t inserted = 0;
   /// Edges flipped to lie along sharp edges and bends; Options::sharp_edges.
   std::int64_t flips = 0;
-  std::int64_t triangles = 0;     ///< of the result
-  std::int64_t components = 0;    ///< connected pieces of the result
-  std::int64_t genus = 0;         ///< sum over the components
+  std::int64_t triangles = 0;       ///< of the result
+  std::int64_t components = 0;      ///< connected pieces of the result
+  std::int64_t genus = 0;           ///< sum over the components
   std::int64_t boundary_edges = 0;  ///< with one face; none unless an open surface was asked for
   std::int64_t boundary_loops = 0;  ///< closed loops of such edges
   int rounds = 0;                   ///< rounds of field and film

@@ -11,22 +11,22 @@
 #include <utility>
 
 #include "delaunay/delaunay.h"
-#include "evidence/depth_image.h"
 #include "evidence/ball.h"
-#include "labelling/manifold_labels.h"
-#include "film/poisson.h"
-#include "labelling/sculpt.h"
+#include "evidence/depth_image.h"
 #include "evidence/signed_field.h"
-#include "labelling/two_sides.h"
-#include "film/winding_number.h"
 #include "film/film.h"
 #include "film/initial_surface.h"
-#include "surface/surface_normals.h"
 #include "film/insert_sites.h"
-#include "surface/open_surface.h"
-#include "geometry/parallel.h"
-#include "surface/viewpoint.h"
+#include "film/poisson.h"
 #include "film/virtual_sites.h"
+#include "film/winding_number.h"
+#include "geometry/parallel.h"
+#include "labelling/manifold_labels.h"
+#include "labelling/sculpt.h"
+#include "labelling/two_sides.h"
+#include "surface/open_surface.h"
+#include "surface/surface_normals.h"
+#include "surface/viewpoint.h"
 
 namespace filmsticking {
 namespace {
@@ -81,8 +81,9 @@ constexpr std::int64_t kMostForVirtual = 64;
 // off than that share. Seen from where it was seen from, a surface is open where no fewer lines cross it
 // oddly.
 constexpr double kConflictPrice = 2, kHandlePrice = 20, kLoose = 0.005, kFewMissed = 0.001, kSeenOpen = 0.4;
-// The disagreement (FilmQuality) of a view through both sides of a plate 0.4 spacings thick, which is open as
-// soon as closed; and what the looseness of a closed surface must be of another's, to be taken in its place.
+// The disagreement (SurfaceQuality) of a view through both sides of a plate 0.4 spacings thick, which is open
+// as soon as closed; and what the looseness of a closed surface must be of another's, to be taken in its
+// place.
 constexpr double kThinnest = 0.15, kMuchPlainer = 0.5;
 
 // Handles that an open surface may have; how many times those of a closed one it has where it is torn, and
@@ -136,14 +137,14 @@ double Pipeline::Candidate::score() const {
 }
 
 // Of an open surface whose faces may be rough; lower is better.
-double Pipeline::looseness(const FilmQuality& quality) const {
+double Pipeline::looseness(const SurfaceQuality& quality) const {
   return kConflictPrice * quality.conflict +
          (static_cast<double>(quality.off) + kHandlePrice * static_cast<double>(quality.handles)) /
              static_cast<double>(sites_.size());
 }
 
 // Of a closed one that must not have been closed by its sides alone.
-double Pipeline::looseness_closed(const FilmQuality& quality) const {
+double Pipeline::looseness_closed(const SurfaceQuality& quality) const {
   return (static_cast<double>(quality.off) + kHandlePrice * static_cast<double>(quality.complexity)) /
          static_cast<double>(sites_.size());
 }
@@ -155,7 +156,7 @@ void Pipeline::prepare(Tetrahedra tetrahedra) {
   // The first belief's carving is one long thread of work that the evidence can run beside.
   const auto evidence = [&] { evidence_ = facet_evidence(mesh_, sites_.perturbed, geometry_); };
   const auto guess = [&] {
-    if (options_.initial_surface == InitialSurface::Carve) guess_ = carve_belief(2, kInsideSlope);
+    if (method_of(options_) == Method::Labelling) guess_ = carve_belief(2, kInsideSlope);
   };
   tbb::parallel_invoke(guess, evidence);
 }
@@ -168,8 +169,7 @@ void Pipeline::show(const Surface& film) const {
   call_back([&] { monitor_.execution().on_step(static_cast<int>(report_.steps.size()), mesh); });
 }
 
-Surface Pipeline::evolve(Surface film, const std::vector<Vec3>& sites, int max_steps,
-                                bool weights) {
+Surface Pipeline::evolve(Surface film, const std::vector<Vec3>& sites, int max_steps, bool weights) {
   monitor_.enter("film", monitor_.share());
   if (report_.steps.empty()) show(film);
   FilmOptions options;
@@ -202,7 +202,7 @@ Pipeline::Candidate Pipeline::finish(Surface film) {
       if (!on[s]) off.push_back(static_cast<Index>(s));
     candidate.inserted = insert_sites(candidate.film, sites_.perturbed, off, kReach);
   }
-  candidate.quality = film_quality(candidate.film, geometry_);
+  candidate.quality = surface_quality(candidate.film, geometry_);
   return candidate;
 }
 
@@ -311,7 +311,7 @@ Pipeline::Candidate Pipeline::without_gaps(Candidate candidate, Mend mend) {
 }
 
 Pipeline::Candidate Pipeline::judged(Candidate candidate) const {
-  candidate.quality = film_quality(candidate.film, geometry_);
+  candidate.quality = surface_quality(candidate.film, geometry_);
   return candidate;
 }
 
@@ -382,7 +382,7 @@ Pipeline::Candidate Pipeline::refined(Candidate best) {
     evidence_ = {};  // it is large
     {
       SiteGeometry geometry = geometry_;
-      geometry.normal = film_normals(best.film, std::move(geometry.normal));
+      geometry.normal = surface_normals(best.film, std::move(geometry.normal));
       evidence_ = facet_evidence(mesh_, sites_.perturbed, geometry);
     }
     monitor_.enter("signed field", monitor_.share());
@@ -469,7 +469,7 @@ bool Pipeline::is_better_view(const DepthImage& image, Surface found) const {
   open.film = std::move(found);
   remove_bridges(open.film, geometry_);
   if (crossed_oddly(open.film, image.viewpoint, monitor_.cancel()) < kSeenOpen) return false;
-  const FilmQuality other = judged(std::move(open)).quality;
+  const SurfaceQuality other = judged(std::move(open)).quality;
   const double off = static_cast<double>(std::max<std::int64_t>(0, image.quality.off - other.off));
   return off <= kFewMissed * static_cast<double>(sites_.size()) &&
          looseness(image.quality) < looseness(other) + kLoose;
@@ -604,10 +604,10 @@ std::vector<std::function<Surface()>> Pipeline::first_surfaces() const {
                              options_.guiding_surface->triangles.end());
     return surface;
   };
-  switch (options_.initial_surface) {
-    case InitialSurface::Wrap:
+  switch (film_start_of(options_)) {
+    case FilmStart::Wrap:
       return {wrap(kWrapAlpha), wrap(2 * kWrapAlpha), wrap(4 * kWrapAlpha), sphere};
-    case InitialSurface::Given:
+    case FilmStart::Given:
       return {given};
     default:
       return {sphere};
@@ -629,8 +629,7 @@ Surface Pipeline::film_from_outside() {
   }
   if (!of_sites(film)) return {};
   // A way out, not what the caller chose: the virtual sites would take the square of the tetrahedra.
-  if (options_.initial_surface == InitialSurface::Carve &&
-      report_.tetrahedra > kMostForVirtual * report_.sites)
+  if (method_of(options_) == Method::Labelling && report_.tetrahedra > kMostForVirtual * report_.sites)
     return film;
   // Before the film moves: the order in which a call's arguments are evaluated is the compiler's.
   const std::vector<Vec3> sites = with_virtual_sites(film);
@@ -675,7 +674,7 @@ void Pipeline::rounds(Candidate& best) {
 Surface Pipeline::run(Tetrahedra tetrahedra) {
   prepare(std::move(tetrahedra));
   Candidate best;
-  if (options_.initial_surface == InitialSurface::Carve) {
+  if (method_of(options_) == Method::Labelling) {
     best = carve();
     show(best.film);
   } else {

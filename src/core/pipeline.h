@@ -5,17 +5,17 @@
 #include <optional>
 #include <vector>
 
+#include "delaunay/power_diagram.h"
+#include "delaunay/tetrahedral_mesh.h"
 #include "evidence/depth_image.h"
 #include "evidence/facet_evidence.h"
-#include "points/site_geometry.h"
-#include "delaunay/tetrahedral_mesh.h"
-#include "labelling/two_sides.h"
-#include "surface/surface_quality.h"
 #include "filmsticking/options.h"
-#include "geometry/surface.h"
 #include "geometry/monitor.h"
-#include "delaunay/power_diagram.h"
+#include "geometry/surface.h"
+#include "labelling/two_sides.h"
+#include "points/site_geometry.h"
 #include "points/site_set.h"
+#include "surface/surface_quality.h"
 
 namespace filmsticking {
 
@@ -43,7 +43,7 @@ class Pipeline {
  private:
   struct Candidate {
     Surface film;
-    FilmQuality quality;  ///< after insertion
+    SurfaceQuality quality;  ///< after insertion
     std::int64_t inserted = 0;
     double weak = 0;           ///< share of the sites that its first cut left off
     std::vector<char> labels;  ///< of the tetrahedra, if it was cut
@@ -66,8 +66,8 @@ class Pipeline {
   std::optional<DepthImage> image_of(const std::vector<Vec3>& places);
   std::optional<DepthImage> given_view();
   bool is_better_view(const DepthImage& image, Surface found) const;
-  double looseness(const FilmQuality& quality) const;
-  double looseness_closed(const FilmQuality& quality) const;
+  double looseness(const SurfaceQuality& quality) const;
+  double looseness_closed(const SurfaceQuality& quality) const;
   static bool has_shape(const Candidate& candidate);
   Candidate with_sides(Candidate best, Candidate sides);
   Candidate closed_if_torn(Candidate open, Candidate closed);

@@ -9,18 +9,18 @@
 #include <new>
 #include <optional>
 
-#include "surface/cap_faces.h"
 #include "delaunay/delaunay.h"
+#include "geometry/monitor.h"
+#include "geometry/parallel.h"
+#include "pipeline.h"
+#include "points/outliers.h"
+#include "points/site_set.h"
+#include "surface/cap_faces.h"
 #include "surface/feature_flips.h"
 #include "surface/meeting_faces.h"
-#include "geometry/monitor.h"
 #include "surface/open_surface.h"
 #include "surface/orientation.h"
-#include "points/outliers.h"
-#include "geometry/parallel.h"
 #include "surface/pinholes.h"
-#include "pipeline.h"
-#include "points/site_set.h"
 #include "surface/viewpoint.h"
 
 namespace filmsticking {
@@ -71,7 +71,7 @@ std::string complaint(const Options& o) {
 }
 
 Status check_given_surface(const Options& o) {
-  if (o.initial_surface != InitialSurface::Given) return Status::Ok;
+  if (method_of(o) != Method::Film || film_start_of(o) != FilmStart::Given) return Status::Ok;
   if (!o.guiding_surface) return Status::InvalidGuidingSurface;
   for (const Point& p : o.guiding_surface->positions)
     for (double x : p)
@@ -84,8 +84,7 @@ Status check_given_surface(const Options& o) {
 }
 
 // Sites to input ids in rising order; triangles turned to their least corner and sorted.
-void write_result(const Surface& film, const std::vector<float>& gaps, const SiteSet& sites,
-                  Result& result) {
+void write_result(const Surface& film, const std::vector<float>& gaps, const SiteSet& sites, Result& result) {
   // Sorting by counting: the ids and the least corners are small numbers.
   std::vector<Index> vertex(static_cast<std::size_t>(result.report.points), kNone);
   for (Index s : film.site) vertex[sites.input[s]] = 0;
@@ -170,7 +169,7 @@ void run(const PointsView& points, const Options& options, const Execution& exec
   if (!options.keep_outliers) report.outliers = drop_outliers(sites, points, geometry);
   Pipeline pipeline(points, sites, geometry, options, monitor, report);
   Surface film;
-  if (options.open_boundary && options.initial_surface == InitialSurface::Carve)
+  if (options.open_boundary && method_of(options) == Method::Labelling)
     if (auto visible = pipeline.visible_surface()) film = std::move(visible->surface);
   if (!pipeline.viewpoint()) {
     monitor.enter("triangulation", monitor.share());
@@ -229,7 +228,7 @@ void run(const PointsView& points, const Options& options, const Execution& exec
 
 Options Options::paper() {
   Options options;
-  options.initial_surface = InitialSurface::Sphere;
+  options.method = Method::Film;
   options.field = FieldMethod::Poisson;
   options.virtual_sites = 1000;
   options.insert_leftover = false;

@@ -13,10 +13,10 @@
 #include <sstream>
 #include <thread>
 
-#include "stream/trajectory.h"
 #include "filmsticking/reconstruct.h"
 #include "io/files.h"
 #include "io/model_file.h"
+#include "stream/trajectory.h"
 #include "support/run_program.h"
 #include "support/scratch_folder.h"
 #include "support/surface_check.h"

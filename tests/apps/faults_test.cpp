@@ -12,9 +12,9 @@
 #include <fstream>
 #include <thread>
 
-#include "tools/io/broken_files.h"
 #include "io/model_file.h"
 #include "support/run_program.h"
+#include "tools/io/broken_files.h"
 
 namespace filmsticking::test {
 namespace {

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "support/run_program.h"
-#include "support/scratch_folder.h"
 #include "compare/csv.h"
 #include "io/model_file.h"
+#include "support/run_program.h"
+#include "support/scratch_folder.h"
 
 namespace filmsticking::bench {
 namespace {

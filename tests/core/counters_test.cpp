@@ -8,18 +8,18 @@
 #include <map>
 #include <string>
 
-#include "film/dual_complex.h"
-#include "labelling/label_islands.h"
-#include "labelling/manifold_labels.h"
-#include "labelling/sculpt.h"
 #include "evidence/signed_field.h"
+#include "film/dual_complex.h"
 #include "film/film.h"
 #include "film/initial_surface.h"
 #include "filmsticking/reconstruct.h"
+#include "geometry/triangle_adjacency.h"
+#include "labelling/label_islands.h"
+#include "labelling/manifold_labels.h"
+#include "labelling/sculpt.h"
 #include "points/site_set.h"
 #include "support/clouds.h"
 #include "support/field_setting.h"
-#include "geometry/triangle_adjacency.h"
 
 namespace filmsticking {
 namespace {
@@ -170,7 +170,7 @@ TEST(Counters, OfFilmStepsKeepTheirBounds) {
       const HalfEdgeComplex dual = dual_complex(film, restricted, diagram);
       RepairCounts counts;
       film = surface_of_sites(manifold_repair(dual, diagram.position, RingChoice::Smooth, counts),
-                           diagram.position);
+                              diagram.position);
       const auto cut = static_cast<std::int64_t>(dual.point.size()),
                  left = static_cast<std::int64_t>(film.triangles.size());
       EXPECT_EQ(restricted.jumps, 0);

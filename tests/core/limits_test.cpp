@@ -181,7 +181,7 @@ TEST(Limits, TooLittleMemoryIsToldBeforeItIsTaken) {
 
 TEST(Limits, CancelIsHeardAtAnyMoment) {
   Options film;
-  film.initial_surface = InitialSurface::Sphere;
+  film.method = Method::Film;
   for (const auto& [points, options] :
        {std::pair(test::torus(20000, 1), Options{}), std::pair(test::torus(2000, 1), film)}) {
     Options alone = options;
@@ -258,7 +258,7 @@ TEST(Limits, AnyAllocationMayFail) {
   sweep(test::sphere(30, 1), {}, 1);
   sweep(test::torus(1500, 1), {}, 97);
   Options film;
-  film.initial_surface = InitialSurface::Sphere;
+  film.method = Method::Film;
   film.max_steps = 6;
   film.max_rounds = 1;
   sweep(test::sphere(60, 1), film, 53);

@@ -373,7 +373,8 @@ TEST(Reconstruct, TakesAGivenSurfaceAndRefusesAnOpenOne) {
   const Result first = reconstruct(points);
   auto given = std::make_shared<Mesh>(mesh_of(first, points));
   Options options;
-  options.initial_surface = InitialSurface::Given;
+  options.method = Method::Film;
+  options.film_start = FilmStart::Given;
   EXPECT_EQ(reconstruct(points, options).status, Status::InvalidGuidingSurface);  // none
   options.guiding_surface = given;
   const Result again = reconstruct(points, options);
@@ -420,7 +421,7 @@ TEST(Reconstruct, ProgressRisesAndCancelStops) {
 TEST(Reconstruct, StepsAreRecordedAndShown) {
   const auto points = test::sphere(2000, 13);
   Options options;
-  options.initial_surface = InitialSurface::Sphere;
+  options.method = Method::Film;
   int shown = 0;
   Execution execution;
   execution.on_step = [&](int step, const Mesh& film) {
@@ -440,7 +441,7 @@ TEST(Reconstruct, Regression_VirtualSiteThatLeftIsNoSiteOfTheFilm) {
   for (const auto& [name, points] : clouds()) {
     SCOPED_TRACE(name);
     Options options;
-    options.initial_surface = InitialSurface::Sphere;
+    options.method = Method::Film;
     options.virtual_sites = 200;
     options.max_steps = 12;
     expect_promise(reconstruct(points, options), points);

@@ -2,17 +2,17 @@
 // Adjacency, first surfaces, orientation.
 #include <gtest/gtest.h>
 
-#include "surface/cap_faces.h"
 #include "geometry/enclosed_volume.h"
-#include "surface/surface_normals.h"
-#include "geometry/surface.h"
 #include "geometry/meeting.h"
+#include "geometry/surface.h"
+#include "geometry/triangle_adjacency.h"
+#include "points/site_set.h"
+#include "support/clouds.h"
+#include "surface/cap_faces.h"
 #include "surface/meeting_faces.h"
 #include "surface/orientation.h"
 #include "surface/pinholes.h"
-#include "points/site_set.h"
-#include "support/clouds.h"
-#include "geometry/triangle_adjacency.h"
+#include "surface/surface_normals.h"
 #include "surface/viewpoint.h"
 
 namespace filmsticking {
@@ -62,14 +62,14 @@ TEST(FilmNormals, AreOutwardAndLeaveOtherSitesAlone) {
   const std::size_t n = sphere.positions.size();
   for (std::size_t v = 0; v < n; ++v) sphere.site[v] = static_cast<Index>(v + 1);  // site 0 is off it
   const Vec3 otherwise(0, 0.6, -0.8);
-  const std::vector<Vec3> normals = film_normals(sphere, std::vector<Vec3>(n + 1, otherwise));
+  const std::vector<Vec3> normals = surface_normals(sphere, std::vector<Vec3>(n + 1, otherwise));
   EXPECT_EQ(normals[0], otherwise);
   for (std::size_t v = 0; v < n; ++v) {
     EXPECT_NEAR(normals[v + 1].norm(), 1, 1e-12);
     EXPECT_GT(normals[v + 1].dot(sphere.positions[v].normalized()), 0.999);
   }
   for (Vec3& p : sphere.positions) p = {p.x(), 0, 0};  // flat: there is no normal
-  for (const Vec3& normal : film_normals(sphere, std::vector<Vec3>(n + 1, otherwise)))
+  for (const Vec3& normal : surface_normals(sphere, std::vector<Vec3>(n + 1, otherwise)))
     EXPECT_EQ(normal, otherwise);
 }
 
@@ -212,7 +212,7 @@ TEST(Caps, AreLeftOutAtTheBorder) {
 
 TEST(Caps, StayWhereTheBorderWouldMeetItself) {
   Surface film = film_of({{0, 0, 0}, {0.2, 0, 0}, {0.1, 0, 0}, {0, -0.1, 0}, {0.2, -0.1, 0}},
-                                {{1, 0, 2}, {0, 3, 2}, {4, 1, 2}});
+                         {{1, 0, 2}, {0, 3, 2}, {4, 1, 2}});
   const std::vector<Corners> before = film.triangles;
   EXPECT_EQ(caps_removed(film), 0);
   EXPECT_EQ(film.triangles, before);
@@ -220,18 +220,16 @@ TEST(Caps, StayWhereTheBorderWouldMeetItself) {
 
 // An edge that was flipped and flipped back left its faces turned on, and their twins were those of others.
 TEST(Caps, Regression_ThoseThatStayChangeNothing) {
-  Surface film =
-      film_of({{0, 0, 0}, {0.3, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}, {0.1, 0.1, 0}, {0.1, -0.1, 0}},
-              {{0, 1, 3}, {1, 0, 2}, {0, 5, 2}, {2, 5, 1}, {0, 3, 4}, {3, 1, 4}});
+  Surface film = film_of({{0, 0, 0}, {0.3, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}, {0.1, 0.1, 0}, {0.1, -0.1, 0}},
+                         {{0, 1, 3}, {1, 0, 2}, {0, 5, 2}, {2, 5, 1}, {0, 3, 4}, {3, 1, 4}});
   const std::vector<Corners> before = film.triangles;
   EXPECT_EQ(caps_removed(film), 0);
   EXPECT_EQ(film.triangles, before);
 }
 
 TEST(Caps, GoWhereSeveralLieOnOneEdge) {
-  Surface film =
-      film_of({{0, 0, 0}, {0.3, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}, {0.1, 0.1, 0}, {0.1, -0.1, 0}},
-              {{0, 1, 4}, {1, 0, 3}, {3, 0, 2}, {0, 5, 2}, {2, 5, 3}, {3, 5, 1}});
+  Surface film = film_of({{0, 0, 0}, {0.3, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}, {0.1, 0.1, 0}, {0.1, -0.1, 0}},
+                         {{0, 1, 4}, {1, 0, 3}, {3, 0, 2}, {0, 5, 2}, {2, 5, 3}, {3, 5, 1}});
   const double before = area(film);
   EXPECT_EQ(caps_removed(film), 2);
   EXPECT_NEAR(area(film), before, 1e-12);
@@ -421,8 +419,7 @@ Index turned(Surface& film) {
 
 TEST(Viewpoint, SeesTheFrontsOfAllPieces) {
   for (const bool back : {false, true}) {
-    Surface film =
-        squares({{{0, 0, 0}, back}, {{-0.3, 0.1, -0.5}, true}, {{0.9, 0, -0.2}, false}}, 0.25);
+    Surface film = squares({{{0, 0, 0}, back}, {{-0.3, 0.1, -0.5}, true}, {{0.9, 0, -0.2}, false}}, 0.25);
     film.positions[2] += Vec3(1e-3, 1e-3, 0);  // the first is the largest
     EXPECT_EQ(turned(film), 1 + back);
     for (Index t = 0; t < 6; ++t) EXPECT_GT(normal(film, t).z(), 0) << t;

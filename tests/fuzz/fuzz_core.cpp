@@ -8,7 +8,7 @@
 
 namespace {
 
-using filmsticking::InitialSurface;
+using filmsticking::Method;
 using filmsticking::Point;
 using filmsticking::test::ByteReader;
 
@@ -45,7 +45,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // One in eight starts from a sphere, one in sixteen as in the paper: both take a hundred times as long.
   const int start = choices >> 4 & 15, number = choices >> 2 & 3;
   const bool paper = start == 15, film = start > 12;
-  if (film) options.initial_surface = InitialSurface::Sphere;
+  if (film) options.method = Method::Film;
   if (paper)
     options = filmsticking::Options::paper(), options.threads = 1, options.virtual_sites = kVirtualSites;
   if (film) options.max_steps = 8, options.max_rounds = 1;

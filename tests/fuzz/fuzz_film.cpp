@@ -7,8 +7,8 @@
 #include "film/attraction_weights.h"
 #include "film/film.h"
 #include "filmsticking/reconstruct.h"
-#include "target.h"
 #include "geometry/triangle_adjacency.h"
+#include "target.h"
 
 namespace filmsticking::test {
 namespace {
@@ -161,7 +161,8 @@ void reconstruct_from(const Surface& film, const std::vector<Vec3>& sites) {
   mesh.triangles.assign(film.triangles.begin(), film.triangles.end());
   Options options;
   options.threads = 1;
-  options.initial_surface = InitialSurface::Given;
+  options.method = Method::Film;
+  options.film_start = FilmStart::Given;
   options.guiding_surface = std::make_shared<Mesh>(mesh);
   options.max_steps = 8, options.max_rounds = 1;
   const Result result = reconstruct(points, options);

@@ -9,14 +9,14 @@
 #include <cstring>
 #include <string_view>
 
+#include "io/format.h"
+#include "io/io_error.h"
+#include "io/pcd.h"
 #include "stream/capture_error.h"
 #include "stream/frame_points.h"
 #include "stream/frame_source.h"
 #include "stream/strict_pcd.h"
 #include "stream/trajectory.h"
-#include "io/format.h"
-#include "io/io_error.h"
-#include "io/pcd.h"
 #include "target.h"
 
 namespace filmsticking::test {

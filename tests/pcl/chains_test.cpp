@@ -26,8 +26,8 @@
 #include <cstring>
 #include <string>
 
-#include "support/scratch_folder.h"
 #include "mesh.h"
+#include "support/scratch_folder.h"
 #include "support/surface_check.h"
 
 namespace filmsticking::test {

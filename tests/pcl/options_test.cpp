@@ -24,9 +24,10 @@ TEST(FilmstickingPP, ACopyIsAnObjectOfItsOwn) {
 TEST(FilmstickingPP, OptionsAreKept) {
   Class filmsticking;
   const Options defaults;
-  EXPECT_EQ(filmsticking.getInitialSurface(), defaults.initial_surface);
+  EXPECT_EQ(filmsticking.getMethod(), defaults.method);
+  EXPECT_EQ(filmsticking.getFilmStart(), defaults.film_start);
   EXPECT_EQ(filmsticking.getVirtualSites(), defaults.virtual_sites);
-  filmsticking.setInitialSurface(InitialSurface::Wrap);
+  filmsticking.setFilmStart(FilmStart::Wrap);
   filmsticking.setFieldMethod(FieldMethod::Poisson);
   filmsticking.setRingChoice(RingChoice::Nearest);
   filmsticking.setVirtualSites(123);
@@ -39,7 +40,8 @@ TEST(FilmstickingPP, OptionsAreKept) {
   filmsticking.setMaxRounds(3);
   filmsticking.setNumberOfThreads(1);
   const Options& options = filmsticking.getOptions();
-  EXPECT_EQ(options.initial_surface, InitialSurface::Wrap);
+  EXPECT_EQ(options.method, Method::Film);
+  EXPECT_EQ(options.film_start, FilmStart::Wrap);
   EXPECT_EQ(options.field, FieldMethod::Poisson);
   EXPECT_EQ(options.ring, RingChoice::Nearest);
   EXPECT_EQ(options.virtual_sites, 123);
@@ -53,7 +55,7 @@ TEST(FilmstickingPP, OptionsAreKept) {
   EXPECT_EQ(options.threads, 1);
   Class other;
   other.setOptions(options);
-  EXPECT_EQ(other.getInitialSurface(), InitialSurface::Wrap);
+  EXPECT_EQ(other.getFilmStart(), FilmStart::Wrap);
   EXPECT_EQ(other.getFieldMethod(), FieldMethod::Poisson);
   EXPECT_EQ(other.getRingChoice(), RingChoice::Nearest);
   EXPECT_EQ(other.getVirtualSites(), 123);
@@ -155,7 +157,7 @@ TEST(FilmstickingPP, StartsFromAGivenSurface) {
 
   Class filmsticking;
   filmsticking.setGuidingSurface(guide);
-  EXPECT_EQ(filmsticking.getInitialSurface(), InitialSurface::Given);
+  EXPECT_EQ(filmsticking.getFilmStart(), FilmStart::Given);
   ASSERT_NE(filmsticking.getGuidingSurface(), nullptr);
   EXPECT_EQ(filmsticking.getGuidingSurface()->positions.size(), 60u);
   EXPECT_EQ(filmsticking.getGuidingSurface()->triangles.size(), 116u);

@@ -26,8 +26,8 @@ namespace {
 
 constexpr int kPatience = 600, kMostFaults = 50;  // seconds; then a sweep has shown enough
 
-constexpr double kMostWithout = 0;  // a share of the grid's sets that span space
-constexpr double kLeastMeshes = 0.4;    // a share of the clouds
+constexpr double kMostWithout = 0;    // a share of the grid's sets that span space
+constexpr double kLeastMeshes = 0.4;  // a share of the clouds
 
 constexpr char kUsage[] =
     "usage: property_test clouds|orders|moves|turns COUNT [FIRST]\n"

@@ -7,14 +7,14 @@
 #include <optional>
 #include <vector>
 
+#include "clouds.h"
 #include "delaunay/delaunay.h"
 #include "evidence/facet_evidence.h"
+#include "film/film.h"
+#include "geometry/triangle_adjacency.h"
 #include "labelling/manifold_labels.h"
 #include "labelling/surface_sheets.h"
-#include "film/film.h"
 #include "points/site_set.h"
-#include "clouds.h"
-#include "geometry/triangle_adjacency.h"
 
 namespace filmsticking::test {
 

@@ -63,7 +63,9 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   using PointCloudConstPtr = typename PointCloud::ConstPtr;  ///< Shared pointer to a constant cloud.
   using PointIndicesConstPtr = pcl::PointIndices::ConstPtr;  ///< Shared pointer to constant indices.
 
-  using InitialSurface = filmsticking::InitialSurface;  ///< Where the film starts.
+  using Method = filmsticking::Method;                  ///< What makes the surface.
+  using FilmStart = filmsticking::FilmStart;            ///< Where a film starts.
+  using InitialSurface = filmsticking::InitialSurface;  ///< The former name of both; goes with version 0.3.
   using FieldMethod = filmsticking::FieldMethod;        ///< What corrects the film's topology.
   using RingChoice = filmsticking::RingChoice;          ///< Which region of several a site keeps.
   using Options = filmsticking::Options;                ///< All that can be chosen.
@@ -149,11 +151,33 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
    */
   const pcl::Indices& getVertexIndices() const { return vertex_indices_; }
 
-  /** \brief Set the closed surface that the film starts from. */
-  void setInitialSurface(InitialSurface initial_surface) { options_.initial_surface = initial_surface; }
+  /** \brief Set what makes the surface: labelled tetrahedra (the default), or the paper's film. */
+  void setMethod(Method method) {
+    options_.method = method;
+    options_.initial_surface = InitialSurface::Carve;
+  }
 
-  /** \brief Get the closed surface that the film starts from. */
-  InitialSurface getInitialSurface() const { return options_.initial_surface; }
+  /** \brief Get what makes the surface. */
+  Method getMethod() const { return filmsticking::method_of(options_); }
+
+  /** \brief Set the surface that a film starts from, and Method::Film with it. */
+  void setFilmStart(FilmStart start) {
+    setMethod(Method::Film);
+    options_.film_start = start;
+  }
+
+  /** \brief Get the surface that a film starts from. */
+  FilmStart getFilmStart() const { return filmsticking::film_start_of(options_); }
+
+  /** \brief Former name of setMethod() and setFilmStart(). */
+  [[deprecated("use setMethod() or setFilmStart()")]] void setInitialSurface(InitialSurface initial_surface) {
+    options_.initial_surface = initial_surface;
+  }
+
+  /** \brief Former name of getMethod() and getFilmStart(). */
+  [[deprecated("use getMethod() or getFilmStart()")]] InitialSurface getInitialSurface() const {
+    return options_.initial_surface;
+  }
 
   /** \brief Set how dangling plates are removed and the topology is corrected. */
   void setFieldMethod(FieldMethod field) { options_.field = field; }
@@ -263,15 +287,15 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   /** \brief Get the number of threads; 0 stands for all that the machine has. */
   int getNumberOfThreads() const { return options_.threads; }
 
-  /** \brief Set the surface that the film starts from, and InitialSurface::Given with it.
+  /** \brief Set the surface that the film starts from, and FilmStart::Given with it.
    * \param[in] surface a closed, oriented 2-manifold; null takes the surface back and leaves the rest
    */
   void setGuidingSurface(const std::shared_ptr<const filmsticking::Mesh>& surface) {
     options_.guiding_surface = surface;
-    if (surface) options_.initial_surface = InitialSurface::Given;
+    if (surface) setFilmStart(FilmStart::Given);
   }
 
-  /** \brief Set the surface that the film starts from, and InitialSurface::Given with it.
+  /** \brief Set the surface that the film starts from, and FilmStart::Given with it.
    * \param[in] surface a closed, oriented 2-manifold; polygons are cut into triangles
    */
   void setGuidingSurface(const pcl::PolygonMesh& surface);

@@ -14,11 +14,11 @@
 #include <utility>
 
 #include "evidence/layers.h"
-#include "geometry/nearest.h"
-#include "surface/open_surface.h"
-#include "geometry/parallel.h"
 #include "evidence/raster_viewpoint.h"
+#include "geometry/nearest.h"
+#include "geometry/parallel.h"
 #include "geometry/triangle_adjacency.h"
+#include "surface/open_surface.h"
 
 namespace filmsticking {
 namespace {
@@ -47,8 +47,9 @@ constexpr double kFarthest = 100;
 // Shares of the sites that a depth image may leave off, and parts or handles that it may have. Images
 // measured: 0.001 and 0.0004.
 constexpr double kFewOff = 0.01, kFewParts = 0.005;
-// The disagreement (FilmQuality) of an image that is sure to be a camera's, with depths in steps (measured:
-// 0.43, and of two surfaces 0.58 and more), and of others (0.13, and of regular plates 0.21 and more).
+// The disagreement (SurfaceQuality) of an image that is sure to be a camera's, with depths in steps
+// (measured: 0.43, and of two surfaces 0.58 and more), and of others (0.13, and of regular plates 0.21 and
+// more).
 constexpr double kSteps = 0.5, kRough = 0.17;
 // The shares of sites off an image and between two layers (share_between_layers()) below which it is one
 // however its pixels lie. Measured: 0.016 between, in noise of half the spacing or thinned; 0.02 to 0.16
@@ -177,8 +178,8 @@ std::vector<Corners> delaunay_triangles(const std::vector<Point2>& pixels,
 }
 
 // The triangulated image in space.
-Surface image_film(const std::vector<Vec3>& places, const Vec3& viewpoint,
-                          const std::vector<Point2>& pixels, const Cancel& cancel) {
+Surface image_film(const std::vector<Vec3>& places, const Vec3& viewpoint, const std::vector<Point2>& pixels,
+                   const Cancel& cancel) {
   std::vector<double> distance(places.size());
   parallel_each(places.size(), [&](std::size_t i) { distance[i] = (places[i] - viewpoint).norm(); });
   std::vector<Corners> triangles = delaunay_triangles(pixels, distance, cancel);
@@ -238,7 +239,7 @@ std::optional<DepthImage> image_from(const std::vector<Vec3>& places, const Vec3
                                      const SiteGeometry& geometry, const Cancel& cancel) {
   if (!(viewpoint.norm() < kFarthest) || !within(kWidest, directions(places, viewpoint))) return {};
   DepthImage image{viewpoint, depth_image_surface(places, viewpoint, geometry, cancel), {}};
-  image.quality = film_quality(image.surface, geometry);
+  image.quality = surface_quality(image.surface, geometry);
   const double sites = static_cast<double>(places.size());
   if (static_cast<double>(image.quality.off) > kFewOff * sites ||
       static_cast<double>(image.quality.complexity) > kFewParts * sites ||
@@ -311,7 +312,7 @@ std::vector<double> depth_image_sides(const TetrahedralMesh& mesh, const std::ve
 }
 
 Surface depth_image_surface(const std::vector<Vec3>& places, const Vec3& viewpoint,
-                                   const SiteGeometry& geometry, const Cancel& cancel) {
+                            const SiteGeometry& geometry, const Cancel& cancel) {
   const std::vector<Point2> pixels = flat_image(places, viewpoint);
   Surface film = image_film(places, viewpoint, pixels, cancel);
   flip_to_shorter(film, Fronts(places, viewpoint), cancel);

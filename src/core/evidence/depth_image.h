@@ -4,19 +4,19 @@
 #include <optional>
 #include <vector>
 
-#include "points/site_geometry.h"
 #include "delaunay/tetrahedral_mesh.h"
-#include "surface/surface_quality.h"
 #include "geometry/surface.h"
 #include "geometry/work_limits.h"
+#include "points/site_geometry.h"
+#include "surface/surface_quality.h"
 
 namespace filmsticking {
 
 /// A depth image: where it was taken from, and the surface that is seen.
 struct DepthImage {
   Vec3 viewpoint;
-  Surface surface;  ///< depth_image_surface()
-  FilmQuality quality;     ///< its own
+  Surface surface;         ///< depth_image_surface()
+  SurfaceQuality quality;  ///< its own
 };
 
 /// The depth image whose pixels the places are, in a box of side 1; nothing if they are none. Its viewpoint
@@ -44,7 +44,7 @@ std::optional<DepthImage> image_from(const std::vector<Vec3>& places, const Vec3
 /// in common corners. A manifold with boundary, perhaps empty. Of sites in one direction exactly, the
 /// nearest is on it. Ends: flips make a sum of lengths shorter.
 Surface depth_image_surface(const std::vector<Vec3>& places, const Vec3& viewpoint,
-                                   const SiteGeometry& geometry, const Cancel& cancel = {});
+                            const SiteGeometry& geometry, const Cancel& cancel = {});
 
 /// Which side of the image each tetrahedron's middle is on: 1 behind it, or, where there is hardly anything
 /// behind it, before it; -1 the other side, and at infinity.

@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "points/site_geometry.h"
 #include "delaunay/tetrahedral_mesh.h"
+#include "points/site_geometry.h"
 
 namespace filmsticking {
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "points/site_geometry.h"
 #include "geometry/surface.h"
 #include "geometry/work_limits.h"
+#include "points/site_geometry.h"
 
 namespace filmsticking {
 

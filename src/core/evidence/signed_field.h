@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "evidence/facet_evidence.h"
 #include "delaunay/tetrahedral_mesh.h"
+#include "evidence/facet_evidence.h"
 #include "geometry/work_limits.h"
 
 namespace filmsticking {

@@ -21,8 +21,8 @@ std::int64_t side_of(Port p) { return -1 - p; }
 // Fills the faces of one chunk.
 class FaceFiller {
  public:
-  FaceFiller(const Surface& surface, const RestrictedPowerDiagram& restricted,
-             const PowerDiagram& diagram, std::size_t chunk, std::vector<Port>& inside)
+  FaceFiller(const Surface& surface, const RestrictedPowerDiagram& restricted, const PowerDiagram& diagram,
+             std::size_t chunk, std::vector<Port>& inside)
       : surface_(surface),
         restricted_(restricted),
         diagram_(diagram),

@@ -20,8 +20,7 @@ std::uint64_t connectivity_hash(const Surface& film) {
   return h;
 }
 
-Surface film_step(const Surface& film, const PowerDiagram& diagram, RingChoice ring,
-                         RepairCounts& counts) {
+Surface film_step(const Surface& film, const PowerDiagram& diagram, RingChoice ring, RepairCounts& counts) {
   if (diagram.any_site == kNone || film.triangles.empty()) return {};
   std::vector<Index> twin = half_edge_twins(film.triangles, static_cast<Index>(film.positions.size()));
   const RestrictedPowerDiagram restricted = restrict_power_diagram(film, std::move(twin), diagram);
@@ -47,7 +46,7 @@ std::vector<Index> sites_off(const Surface& film, std::size_t points) {
 }  // namespace
 
 Surface evolve_film(Surface film, const std::vector<Vec3>& sites, std::size_t points,
-                           const PowerDiagram& voronoi, const FilmOptions& options) {
+                    const PowerDiagram& voronoi, const FilmOptions& options) {
   // With virtual sites, a triangulation of their own that they can leave; without, the points' diagram.
   std::unique_ptr<DelaunayTriangulation> triangulation;
   PowerDiagram with_virtual;

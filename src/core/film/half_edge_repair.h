@@ -9,20 +9,21 @@
 
 namespace filmsticking {
 
-/// What a repair had to do. None of it is a defect of the complex, which is closed by construction: a film step
-/// cuts a film that is not on all points yet. A film that lies evenly on its sites needs nothing.
+/// What a repair had to do. None of it is a defect of the complex, which is closed by construction: a film
+/// step cuts a film that is not on all points yet. A film that lies evenly on its sites needs nothing.
 struct RepairCounts {
-  /// Orbits removed because their site kept another one: its cell meets the film in several regions, as where the
-  /// film spans a hole above the points of the rim, or lies on both sides of a thin part. Each takes two triangles
-  /// along at least, so that with `thin_regions` they are at most half the triangles.
+  /// Orbits removed because their site kept another one: its cell meets the film in several regions, as where
+  /// the film spans a hole above the points of the rim, or lies on both sides of a thin part. Each takes two
+  /// triangles along at least, so that with `thin_regions` they are at most half the triangles.
   std::int64_t surplus_regions = 0;
   /// Orbits removed because they had fewer than three neighbours: a cell that just touches the film.
   std::int64_t thin_regions = 0;
-  /// Double edges resolved by a flip: two cells that meet along the film twice, as beside a surplus or thin region.
+  /// Double edges resolved by a flip: two cells that meet along the film twice, as beside a surplus or thin
+  /// region.
   std::int64_t flips = 0;
-  /// Double edges resolved by cutting the surface open along both and closing it: a neck of the film of two cells
-  /// around. Each raises the Euler characteristic by two, and so closes a handle or parts a piece; none on a film
-  /// of simple topology.
+  /// Double edges resolved by cutting the surface open along both and closing it: a neck of the film of two
+  /// cells around. Each raises the Euler characteristic by two, and so closes a handle or parts a piece; none
+  /// on a film of simple topology.
   std::int64_t cuts = 0;
   std::int64_t total() const { return surplus_regions + thin_regions + flips + cuts; }
 };

@@ -13,9 +13,9 @@ namespace {
 // A walk that has looked at more neighbours than this for each site sorts the sites instead.
 constexpr std::int64_t kManyLooks = 16;
 
-// The cells along a segment from that of `a`, among all sites: each site's power is linear along the segment, but
-// for a part that all have in common, so they are the lower envelope of lines. They are found in the order of
-// their slopes, those of greater height later (as a convex hull by Andrew 1979).
+// The cells along a segment from that of `a`, among all sites: each site's power is linear along the segment,
+// but for a part that all have in common, so they are the lower envelope of lines. They are found in the
+// order of their slopes, those of greater height later (as a convex hull by Andrew 1979).
 void envelope(const PowerDiagram& diagram, const Vec3& from, const Vec3& direction, Index a,
               std::vector<Index>& cells) {
   struct Line {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/surface.h"
 #include "delaunay/power_diagram.h"
+#include "geometry/surface.h"
 
 namespace filmsticking {
 
@@ -20,13 +20,13 @@ struct RestrictedPowerDiagram {
   std::vector<Index> cell;    ///< neighbouring ones distinct
 
   /// Edges along which the walk ended in a cell beside the end's owner, which then follows without being a
-  /// neighbour, perhaps: where rounding tells the walk and the search for the owner different sides of a cell's
-  /// face. So an edge's end must be within rounding of one, which in clouds that are perturbed is a chance of
-  /// 1e-8 or so. The dual is closed all the same.
+  /// neighbour, perhaps: where rounding tells the walk and the search for the owner different sides of a
+  /// cell's face. So an edge's end must be within rounding of one, which in clouds that are perturbed is a
+  /// chance of 1e-8 or so. The dual is closed all the same.
   std::int64_t jumps = 0;
 
-  /// Neighbours that the walks looked at: for an edge some 20 times as many as there are sites at most, where all
-  /// are neighbours and an edge runs through the cells of all, too.
+  /// Neighbours that the walks looked at: for an edge some 20 times as many as there are sites at most, where
+  /// all are neighbours and an edge runs through the cells of all, too.
   std::int64_t looks = 0;
 
   /// Crossing i of edge e, between its cells i and i+1, has this number.

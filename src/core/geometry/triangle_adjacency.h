@@ -38,8 +38,8 @@ ManifoldCheck check_manifold(const std::vector<Corners>& triangles, Index vertex
 ManifoldCheck check_manifold_with_twins(const std::vector<Corners>& triangles, Index vertex_count,
                                         const std::vector<Index>& twins);
 
-/// Is there an edge between the origins of two half-edges of a manifold? Takes no longer than a walk around the
-/// one with fewer faces.
+/// Is there an edge between the origins of two half-edges of a manifold? Takes no longer than a walk around
+/// the one with fewer faces.
 bool have_edge(const std::vector<Corners>& triangles, const std::vector<Index>& twins, Index g, Index k);
 
 /// Flips the edge of a half-edge ab with a twin, from between its faces' corners a and b to between their

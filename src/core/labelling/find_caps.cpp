@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "geometry/disjoint_sets.h"
-#include "labelling/manifold_labels.h"
 #include "geometry/triangle_circle.h"
+#include "labelling/manifold_labels.h"
 
 namespace filmsticking {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "points/site_geometry.h"
 #include "delaunay/tetrahedral_mesh.h"
+#include "points/site_geometry.h"
 
 namespace filmsticking {
 

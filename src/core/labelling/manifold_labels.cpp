@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "labelling/label_islands.h"
 #include "geometry/parallel.h"
+#include "labelling/label_islands.h"
 #include "labelling/surface_sheets.h"
 
 namespace filmsticking {
@@ -20,8 +20,8 @@ constexpr double kHandlePrice = 20;
 // price. The cheap ones first, as they often make the others cheap.
 constexpr double kFirstShare = 0.1;
 
-// A site that was brought on so often, and given up for others, is left off: so reach() ends whatever rounding
-// does to the costs.
+// A site that was brought on so often, and given up for others, is left off: so reach() ends whatever
+// rounding does to the costs.
 constexpr char kMostReaches = 8;
 
 // In a larger star only whole pieces are moved: to try every tetrahedron takes the square of their number.
@@ -46,8 +46,7 @@ constexpr std::size_t kQuickStar = 96;
 }  // namespace
 
 ManifoldLabels::ManifoldLabels(const TetrahedralMesh& mesh, const SiteGeometry& geometry,
-                               const LabelCosts& costs, std::vector<char>& inside,
-                               const Cancel& cancel)
+                               const LabelCosts& costs, std::vector<char>& inside, const Cancel& cancel)
     : mesh_(mesh),
       geometry_(geometry),
       costs_(costs),
@@ -113,9 +112,9 @@ bool ManifoldLabels::mixed(Index t, int a, int b) {
   return labels == 3;
 }
 
-// What the census of v is now that t, a tetrahedron of its star, has changed sides, where it was plain before.
-// On a small sphere around v its two parts were discs, so that what t did to them shows where their common
-// border, a simple curve, meets t's triangle: whole stars need not be searched.
+// What the census of v is now that t, a tetrahedron of its star, has changed sides, where it was plain
+// before. On a small sphere around v its two parts were discs, so that what t did to them shows where their
+// common border, a simple curve, meets t's triangle: whole stars need not be searched.
 ManifoldLabels::Census ManifoldLabels::census_of_flip(Index v, Index t, const Census& before) {
   const bool now = inside_[t], was = !now;
   const int own = corner(t, v);
@@ -235,7 +234,8 @@ double ManifoldLabels::least_cost(const Move& move, double piece) {
     inside_[t] = !inside_[t];
   }
   for (Index t : move) inside_[t] = !inside_[t];
-  for (Index v : sites_of(move)) cost -= piece * census_[v].surplus() + (census_[v].off() ? costs_.off[v] : 0);
+  for (Index v : sites_of(move))
+    cost -= piece * census_[v].surplus() + (census_[v].off() ? costs_.off[v] : 0);
   return cost;
 }
 
@@ -370,8 +370,8 @@ std::vector<ManifoldLabels::Move> ManifoldLabels::moves_at(Index v, bool erode) 
   return moves;
 }
 
-// The best of them, the first of those that cost the same. They are looked at by what they cost at least, as few
-// need it then.
+// The best of them, the first of those that cost the same. They are looked at by what they cost at least, as
+// few need it then.
 ManifoldLabels::Move ManifoldLabels::best_move(Index v, bool erode) {
   std::vector<Move> moves = moves_at(v, erode);
   std::vector<std::pair<double, std::size_t>> least;
@@ -396,8 +396,8 @@ ManifoldLabels::Move ManifoldLabels::best_move(Index v, bool erode) {
 
 // Until no site of the list, or that became singular on the way, is singular. Those where nothing lowers the
 // number of surplus pieces are left on stuck_; with `erode` there are none, as a site that has surplus pieces
-// has tetrahedra inside. Ends: a move lowers the number of surplus pieces of all sites, or with `erode` that of
-// tetrahedra inside, and a turn without a move leaves nothing to do.
+// has tetrahedra inside. Ends: a move lowers the number of surplus pieces of all sites, or with `erode` that
+// of tetrahedra inside, and a turn without a move leaves nothing to do.
 void ManifoldLabels::lower(std::vector<Index> singular, bool erode) {
   stuck_.clear();
   std::vector<Index> next;
@@ -418,9 +418,9 @@ void ManifoldLabels::lower(std::vector<Index> singular, bool erode) {
   }
 }
 
-// Takes all that is inside away around singular sites, many at once; what that makes singular comes next. Such
-// a site stays off, as nothing comes inside, and one that is looked at often goes as well: so it ends, and no
-// star is looked at more than a few times.
+// Takes all that is inside away around singular sites, many at once; what that makes singular comes next.
+// Such a site stays off, as nothing comes inside, and one that is looked at often goes as well: so it ends,
+// and no star is looked at more than a few times.
 void ManifoldLabels::strip() {
   std::vector<char> looks(seed_.size(), 0);
   for (std::vector<Index> singular = take_census(), next; !singular.empty(); singular.swap(next)) {
@@ -534,8 +534,8 @@ Index ManifoldLabels::pinch(Index t) const {
   return census_[v].off() ? kNone : v;
 }
 
-// What takes a fold or a pinch at a flat tetrahedron: that it changes sides, and of a pinch, that the site goes
-// over to the sheet that it lies in.
+// What takes a fold or a pinch at a flat tetrahedron: that it changes sides, and of a pinch, that the site
+// goes over to the sheet that it lies in.
 ManifoldLabels::Move ManifoldLabels::best_unfold(Index t) {
   const auto helps = [&](const Move& move, int folds) {
     if (!allowed(move) || !grows(move) || more_folds(move) >= folds) return false;

@@ -6,9 +6,9 @@
 #include <limits>
 #include <vector>
 
+#include "delaunay/tetrahedral_mesh.h"
 #include "geometry/work_limits.h"
 #include "points/site_geometry.h"
-#include "delaunay/tetrahedral_mesh.h"
 
 namespace filmsticking {
 
@@ -19,8 +19,8 @@ struct LabelCosts {
   std::vector<double> off;                         ///< [site]: to leave it off the surface
 };
 
-/// What was done to a labelling. On points that are dense beside the features of a closed surface it is next to
-/// nothing; thin walls, noise and gaps are what it is for.
+/// What was done to a labelling. On points that are dense beside the features of a closed surface it is next
+/// to nothing; thin walls, noise and gaps are what it is for.
 struct LabelCounts {
   /// Torn-off pieces of either label that were given up: chance clusters of tetrahedra. Fewer than pieces.
   std::int64_t islands = 0;
@@ -28,23 +28,24 @@ struct LabelCounts {
   std::int64_t singular = 0;
   /// Moves that lowered the number of surplus pieces around sites, and so no more than there were of these.
   std::int64_t repairs = 0;
-  /// Moves that only took from the inside, where none lowered it: the last resort, which opens a part of a thin
-  /// wall. Each takes a tetrahedron at least.
+  /// Moves that only took from the inside, where none lowered it: the last resort, which opens a part of a
+  /// thin wall. Each takes a tetrahedron at least.
   std::int64_t erosions = 0;
   /// Tetrahedra relabelled towards `aim`: each leaves one difference from it less.
   std::int64_t warped = 0;
   /// Plugs, caps and discs that left fewer handles. With the tears they are no more than the handles and the
   /// pieces that went, as none is taken that adds any of either.
   std::int64_t tunnels = 0;
-  /// Plugs, caps and ways, and bars taken away, that left fewer pieces: no more than pieces went, as none adds
-  /// any.
+  /// Plugs, caps and ways, and bars taken away, that left fewer pieces: no more than pieces went, as none
+  /// adds any.
   std::int64_t tears = 0;
   /// Folds and pinches that went: no more than eight for each flat tetrahedron.
   std::int64_t unfolded = 0;
-  /// Moves that brought single sites on to the surface, which the cut left off as cheaper: a site that sticks out
-  /// or lies in a dent of chance. No site more than eight times.
+  /// Moves that brought single sites on to the surface, which the cut left off as cheaper: a site that sticks
+  /// out or lies in a dent of chance. No site more than eight times.
   std::int64_t reached = 0;
-  /// Sites around which all was taken from the inside, after too many visits: none for the labels of a surface.
+  /// Sites around which all was taken from the inside, after too many visits: none for the labels of a
+  /// surface.
   std::int64_t stripped = 0;
   /// Of tetrahedra, in stars and around edges.
   std::int64_t visits = 0;
@@ -59,10 +60,12 @@ struct LabelCounts {
 ///    of them. So all there is to keep is local;
 ///  - it does not cut itself, being part of a triangulation of space, but where tetrahedra are flat;
 ///  - it ends: the repair lowers the number of surplus pieces or else takes from the inside; the warp lowers
-///    the number of differences, unfolding takes a few turns; the reach lowers the cost; each plug is tried at
-///    most once for each radius;
-///  - the work is bounded: after 10,000 visits of tetrahedra for each site, far more than a surface takes, all
-///    that is optional is left out, and what is inside is taken away around the sites that are singular still.
+///    the number of differences, unfolding takes a few turns; the reach lowers the cost; each plug is tried
+///    at most once for each radius;
+///  - the work is bounded: after 10,000 visits of tetrahedra for each site, far more than a surface takes,
+///  all
+///    that is optional is left out, and what is inside is taken away around the sites that are singular
+///    still.
 class ManifoldLabels {
  public:
   /// `inside` is read and relabelled in place; infinite tetrahedra must be outside and stay there.
@@ -79,10 +82,10 @@ class ManifoldLabels {
   /// handles and islands.
   void warp(const std::vector<char>& aim);
 
-  /// Relabels flat tetrahedra of which the surface has facets on both sides, where it folds back on itself, and
-  /// those with a facet of it on one side and a site of it that lies in that facet on the other, where it is
-  /// pinched, as far as that is without a change of topology. A site that only a fold holds is off then, and
-  /// one that was pinched belongs to the sheet that it lies in.
+  /// Relabels flat tetrahedra of which the surface has facets on both sides, where it folds back on itself,
+  /// and those with a facet of it on one side and a site of it that lies in that facet on the other, where it
+  /// is pinched, as far as that is without a change of topology. A site that only a fold holds is off then,
+  /// and one that was pinched belongs to the sheet that it lies in.
   void unfold();
 
   /// Brings sites off the surface on to it where relabelling one or two tetrahedra at the site does it, keeps
@@ -90,13 +93,14 @@ class ManifoldLabels {
   /// directions).
   void reach();
 
-  /// Mends what chance and noise have broken, where that costs less than it is worth: where samples are random, both
-  /// sides of a thin wall have a gap at the same place now and then, which leaves a tunnel that no samples line; a
-  /// wall thinner than the spacing may be torn all along a valley, and a thin limb across; and noise builds bridges
-  /// between sides that are near. What is tried: plugs, connected parts of what is outside and as narrow as a gap;
-  /// what lies on caps, connected facets that are, where both sides are wide; the shortest ways from shards, thinner
-  /// than any part that samples resolve, to other pieces; and discs across tunnels and bridges. One is taken if it
-  /// leaves fewer handles or fewer pieces, and not more of either. `sites` are the corners of the tetrahedra.
+  /// Mends what chance and noise have broken, where that costs less than it is worth: where samples are
+  /// random, both sides of a thin wall have a gap at the same place now and then, which leaves a tunnel that
+  /// no samples line; a wall thinner than the spacing may be torn all along a valley, and a thin limb across;
+  /// and noise builds bridges between sides that are near. What is tried: plugs, connected parts of what is
+  /// outside and as narrow as a gap; what lies on caps, connected facets that are, where both sides are wide;
+  /// the shortest ways from shards, thinner than any part that samples resolve, to other pieces; and discs
+  /// across tunnels and bridges. One is taken if it leaves fewer handles or fewer pieces, and not more of
+  /// either. `sites` are the corners of the tetrahedra.
   void fill_gaps(const std::vector<Vec3>& sites);
 
   /// The first of it: by plugs alone. Takes about a sixth of the time of all of it.
@@ -125,17 +129,17 @@ class ManifoldLabels {
     int euler = 0;  // of the surface with its sheets at singular places taken apart; -2: one handle more
     double cost = 0;
   };
-  // What a plug is worth by what it leaves less of, and what each of its tetrahedra costs, in sites off the surface;
-  // whether what lies around it may follow, without a change of topology, before that is compared; and how far a
-  // change of pieces is looked for.
+  // What a plug is worth by what it leaves less of, and what each of its tetrahedra costs, in sites off the
+  // surface; whether what lies around it may follow, without a change of topology, before that is compared;
+  // and how far a change of pieces is looked for.
   struct Terms {
     double tunnel, tear, size = 0;
     bool relax = false;
     std::size_t look = std::numeric_limits<std::size_t>::max();
   };
 
-  // What filling a tunnel is worth, in sites off the surface. A plug has two caps, which the votes are against
-  // where the tunnel is real, and takes a wall away, which they are for then: that costs more.
+  // What filling a tunnel is worth, in sites off the surface. A plug has two caps, which the votes are
+  // against where the tunnel is real, and takes a wall away, which they are for then: that costs more.
   static constexpr double kTunnelWorth = 3;
   // What a piece less is worth. Two parts may lie close to each other, so this is little: in a tear the votes
   // are for a plug, or hardly against it.
@@ -221,7 +225,8 @@ class ManifoldLabels {
   std::vector<std::uint32_t> seen_;
   std::uint32_t stamp_ = 0;
   std::vector<Index> waiting_, touched_, stuck_, source_;
-  // While gaps are filled, [tetrahedron]: a name of its piece; and [name]: another of the same piece, or itself.
+  // While gaps are filled, [tetrahedron]: a name of its piece; and [name]: another of the same piece, or
+  // itself.
   std::vector<Index> piece_, alias_;
   std::int64_t pieces_ = 0;  // at the last naming
 };

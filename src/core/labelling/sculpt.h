@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "evidence/facet_evidence.h"
-#include "labelling/minimum_cut.h"
 #include "delaunay/tetrahedral_mesh.h"
+#include "evidence/facet_evidence.h"
 #include "geometry/work_limits.h"
+#include "labelling/minimum_cut.h"
 
 namespace filmsticking {
 

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "evidence/facet_evidence.h"
-#include "points/site_geometry.h"
 #include "delaunay/tetrahedral_mesh.h"
+#include "evidence/facet_evidence.h"
 #include "geometry/work_limits.h"
+#include "points/site_geometry.h"
 
 namespace filmsticking {
 

@@ -38,7 +38,8 @@ struct SiteSet {
   AxisTurn turn;  ///< of the input's axes, by the coordinates alone: a cloud turned by 90 degrees is the same
 
   std::size_t size() const { return perturbed.size(); }
-    /// Do all sites lie on one plane, line or point, but for rounding to float? `points`: what they were made of.
+  /// Do all sites lie on one plane, line or point, but for rounding to float? `points`: what they were made
+  /// of.
   bool coplanar(const PointsView& points) const;
   /// Where a site is that is not perturbed, of the points that it was made of.
   Vec3 exact(const PointsView& points, std::size_t site) const {

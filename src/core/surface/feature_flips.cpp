@@ -239,7 +239,8 @@ class FeatureFlips {
     const Index g = canonical(h);
     const Four tet = corners(g);
     const Index c = tet[2], d = tet[3];
-    if (c == d || have_edge(film_.triangles, twin_, prev_in_face(g), prev_in_face(twin_[g]))) return Verdict::Never;
+    if (c == d || have_edge(film_.triangles, twin_, prev_in_face(g), prev_in_face(twin_[g])))
+      return Verdict::Never;
     Box box = box_of(tet);
     box.min().array() -= kMeetingMargin, box.max().array() += kMeetingMargin;
     const Fence fence(film_.positions, tet);
@@ -299,7 +300,8 @@ class FeatureFlips {
         bool out = true;
         for (std::size_t i = 0; i < N && out; ++i) {
           const Index v = vertices[i];
-          out = v == post_[k] || v == end_[k] || out_[k].dot(positions_[v] - positions_[post_[k]]) > kMeetingMargin;
+          out = v == post_[k] || v == end_[k] ||
+                out_[k].dot(positions_[v] - positions_[post_[k]]) > kMeetingMargin;
         }
         if (out) return true;
       }

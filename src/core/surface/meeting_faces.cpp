@@ -12,8 +12,8 @@
 
 #include "geometry/face_tree.h"
 #include "geometry/meeting.h"
-#include "surface/open_surface.h"
 #include "geometry/parallel.h"
+#include "surface/open_surface.h"
 
 namespace filmsticking {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "points/site_geometry.h"
 #include "geometry/surface.h"
 #include "geometry/work_limits.h"
+#include "points/site_geometry.h"
 
 namespace filmsticking {
 
@@ -16,7 +16,6 @@ namespace filmsticking {
 ///
 /// The same for any numbering of vertices and faces. Faces that are near each other should have near numbers.
 /// Returns how many were taken for that. One that meets 64 others or more goes at once.
-std::int64_t remove_meeting_faces(Surface& film, const SiteGeometry& geometry,
-                                  const Cancel& cancel = {});
+std::int64_t remove_meeting_faces(Surface& film, const SiteGeometry& geometry, const Cancel& cancel = {});
 
 }  // namespace filmsticking

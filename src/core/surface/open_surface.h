@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "points/site_geometry.h"
 #include "geometry/surface.h"
+#include "points/site_geometry.h"
 
 namespace filmsticking {
 
@@ -20,9 +20,9 @@ bool is_narrow(const Surface& film, const Corners& face, const SiteGeometry& geo
 std::vector<char> manifold_without_bridges(const std::vector<Corners>& triangles,
                                            const std::vector<Vec3>& sites, const SiteGeometry& geometry);
 
-/// Takes away the faces that are not to be kept. Then, where a vertex has several fans left, all but that with
-/// most faces. So what is left of a manifold with boundary, or without, is one, perhaps empty; vertices without a
-/// face are gone. Ends: every pass but the last takes faces away. `geometry`: of all sites.
+/// Takes away the faces that are not to be kept. Then, where a vertex has several fans left, all but that
+/// with most faces. So what is left of a manifold with boundary, or without, is one, perhaps empty; vertices
+/// without a face are gone. Ends: every pass but the last takes faces away. `geometry`: of all sites.
 void keep_faces(Surface& film, std::vector<char> keep, const SiteGeometry& geometry);
 
 /// Takes away the faces that no data supports: connected regions of faces with gaps above a low threshold

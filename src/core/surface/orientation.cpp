@@ -10,8 +10,7 @@
 
 namespace filmsticking {
 
-double solid_angle_winding(const Surface& surface, const std::vector<Index>& triangles,
-                           const Vec3& x) {
+double solid_angle_winding(const Surface& surface, const std::vector<Index>& triangles, const Vec3& x) {
   double sum = 0;
   for (Index t : triangles) {
     const Vec3 a = surface.corner(t, 0) - x, b = surface.corner(t, 1) - x, c = surface.corner(t, 2) - x;

@@ -10,8 +10,8 @@
 
 #include "geometry/face_tree.h"
 #include "geometry/meeting.h"
-#include "surface/open_surface.h"
 #include "geometry/triangle_adjacency.h"
+#include "surface/open_surface.h"
 
 namespace filmsticking {
 namespace {
@@ -158,8 +158,8 @@ class Pinholes {
 
 }  // namespace
 
-std::int64_t fill_pinholes(Surface& film, const std::vector<Index>& twins,
-                           const SiteGeometry& geometry, const Vec3* viewpoint) {
+std::int64_t fill_pinholes(Surface& film, const std::vector<Index>& twins, const SiteGeometry& geometry,
+                           const Vec3* viewpoint) {
   return Pinholes(film, twins, geometry, viewpoint).run();
 }
 

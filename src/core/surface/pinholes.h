@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "points/site_geometry.h"
 #include "geometry/surface.h"
+#include "points/site_geometry.h"
 
 namespace filmsticking {
 
@@ -19,7 +19,7 @@ namespace filmsticking {
 /// The manifold stays one, and has the same vertices. The same for any numbering of vertices and faces.
 /// `twins`: the film's half_edge_twins() before. Faces that are near each other should have near numbers.
 /// Returns how many holes.
-std::int64_t fill_pinholes(Surface& film, const std::vector<Index>& twins,
-                           const SiteGeometry& geometry, const Vec3* viewpoint = nullptr);
+std::int64_t fill_pinholes(Surface& film, const std::vector<Index>& twins, const SiteGeometry& geometry,
+                           const Vec3* viewpoint = nullptr);
 
 }  // namespace filmsticking

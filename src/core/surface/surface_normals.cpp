@@ -9,7 +9,7 @@
 
 namespace filmsticking {
 
-std::vector<Vec3> film_normals(const Surface& film, std::vector<Vec3> otherwise) {
+std::vector<Vec3> surface_normals(const Surface& film, std::vector<Vec3> otherwise) {
   std::vector<Vec3> sum(otherwise.size(), Vec3::Zero());
   for (const Corners& t : film.triangles) {
     const Vec3 p[3] = {film.positions[t[0]], film.positions[t[1]], film.positions[t[2]]};

@@ -9,8 +9,8 @@
 
 namespace filmsticking {
 
-FilmQuality film_quality(const Surface& film, const SiteGeometry& geometry) {
-  FilmQuality quality;
+SurfaceQuality surface_quality(const Surface& film, const SiteGeometry& geometry) {
+  SurfaceQuality quality;
   double area = 0, sum = 0, whole = 0, wide = 0;
   std::vector<Vec3> vertex_normal(geometry.spacing.size(), Vec3::Zero());
   for (const Corners& t : film.triangles) {
@@ -50,8 +50,7 @@ FilmQuality film_quality(const Surface& film, const SiteGeometry& geometry) {
   const std::int64_t euler = static_cast<std::int64_t>(film.positions.size()) - (faces + rim) / 2;
   quality.handles = std::max<std::int64_t>(0, 2 * pieces - euler - boundary_loops(twin)) / 2;
   quality.complexity = pieces + std::max<std::int64_t>(0, 2 * pieces - euler) / 2;
-  quality.off =
-      static_cast<std::int64_t>(geometry.spacing.size()) - sites_on(film, geometry.spacing.size());
+  quality.off = static_cast<std::int64_t>(geometry.spacing.size()) - sites_on(film, geometry.spacing.size());
   return quality;
 }
 

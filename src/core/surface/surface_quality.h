@@ -4,14 +4,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "points/site_geometry.h"
 #include "geometry/surface.h"
+#include "points/site_geometry.h"
 
 namespace filmsticking {
 
 /// How well a film of sites agrees with the sites' own neighbourhoods. Knows no truth, so that a
 /// reconstruction can judge itself.
-struct FilmQuality {
+struct SurfaceQuality {
   double disagreement =
       1;  ///< mean of 1 - |face normal . local normal| by area, of a face at most a sample's; 0 best
   double conflict = 1;  ///< share of pairs of near sites on the film whose normals oppose each other; 0 best
@@ -23,6 +23,6 @@ struct FilmQuality {
   std::int64_t off = 0;         ///< sites off the film
 };
 
-FilmQuality film_quality(const Surface& film, const SiteGeometry& geometry);
+SurfaceQuality surface_quality(const Surface& film, const SiteGeometry& geometry);
 
 }  // namespace filmsticking

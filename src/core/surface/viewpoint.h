@@ -17,8 +17,8 @@ Vec3 common_viewpoint(const Surface& surface);
 /// there.
 bool seen_once(const Surface& surface, const Vec3& viewpoint, const Cancel& cancel = {});
 
-/// The share of the lines from that point through the surface that cross it an odd number of times: hardly one
-/// of what has two sides, thin as it may be, and most of what was seen from there.
+/// The share of the lines from that point through the surface that cross it an odd number of times: hardly
+/// one of what has two sides, thin as it may be, and most of what was seen from there.
 double crossed_oddly(const Surface& surface, const Vec3& viewpoint, const Cancel& cancel = {});
 
 /// The share of the area that shows a point another side than most of the area does; a half at most.

@@ -10,12 +10,12 @@
 #include <mutex>
 #include <string>
 
-#include "live_accumulator.h"
 #include "filmsticking/options.h"
 #include "filmsticking/report.h"
 #include "filmsticking/status.h"
 #include "filters/filter_options.h"
 #include "io/model.h"
+#include "live_accumulator.h"
 #include "newest_wins.h"
 
 namespace filmsticking::stream {

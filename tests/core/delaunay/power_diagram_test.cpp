@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <set>
 
-#include "film/attraction_weights.h"
 #include "delaunay/delaunay.h"
-#include "geometry/nearest.h"
+#include "film/attraction_weights.h"
 #include "film/restricted_power_diagram.h"
+#include "film/virtual_sites.h"
+#include "geometry/nearest.h"
+#include "geometry/triangle_adjacency.h"
 #include "points/site_set.h"
 #include "support/clouds.h"
-#include "geometry/triangle_adjacency.h"
-#include "film/virtual_sites.h"
 
 namespace filmsticking {
 namespace {

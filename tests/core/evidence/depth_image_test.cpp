@@ -11,13 +11,13 @@
 #include <limits>
 #include <map>
 
-#include "filmsticking/reconstruct.h"
 #include "evidence/layers.h"
-#include "geometry/meeting.h"
 #include "evidence/raster_viewpoint.h"
+#include "filmsticking/reconstruct.h"
+#include "geometry/meeting.h"
+#include "geometry/triangle_adjacency.h"
 #include "support/clouds.h"
 #include "support/surface_check.h"
-#include "geometry/triangle_adjacency.h"
 
 namespace filmsticking {
 namespace {

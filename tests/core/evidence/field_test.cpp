@@ -6,17 +6,17 @@
 #include <cmath>
 
 #include "evidence/ball.h"
+#include "evidence/signed_field.h"
+#include "film/film.h"
+#include "film/poisson.h"
+#include "film/winding_number.h"
 #include "labelling/manifold_labels.h"
 #include "labelling/minimum_cut.h"
-#include "film/poisson.h"
 #include "labelling/sculpt.h"
-#include "evidence/signed_field.h"
 #include "labelling/surface_sheets.h"
-#include "film/winding_number.h"
-#include "film/film.h"
-#include "surface/surface_quality.h"
 #include "support/clouds.h"
 #include "support/field_setting.h"
+#include "surface/surface_quality.h"
 
 namespace filmsticking {
 namespace {
@@ -194,7 +194,7 @@ TEST(Sculpt, FollowsTheEvidenceWhereTheBeliefIsVague) {
   manifold.repair();
   const Surface film = test::film_of(s, inside);
   EXPECT_GT(film.site.size(), 2990u);
-  EXPECT_LT(film_quality(film, s.geometry).disagreement, 0.02);
+  EXPECT_LT(surface_quality(film, s.geometry).disagreement, 0.02);
 }
 
 TEST(Sculpt, ACutThatGoesOnIsACutFromTheStart) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The film step: dual complex, manifold repair, evolution, insertion.
 #include "film/film.h"
-#include "film/initial_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +8,11 @@
 #include <numeric>
 
 #include "film/dual_complex.h"
+#include "film/initial_surface.h"
 #include "film/insert_sites.h"
+#include "geometry/triangle_adjacency.h"
 #include "points/site_set.h"
 #include "support/clouds.h"
-#include "geometry/triangle_adjacency.h"
 
 namespace filmsticking {
 namespace {
@@ -191,8 +191,7 @@ TEST(Film, VirtualSitesLeaveAndNeverStay) {
     left = r.virtual_left;
     return true;
   };
-  const Surface film =
-      evolve_film(bounding_sphere(set.perturbed), sites, set.size(), diagram, options);
+  const Surface film = evolve_film(bounding_sphere(set.perturbed), sites, set.size(), diagram, options);
   expect_manifold(film);
   for (Index s : film.site) EXPECT_LT(s, static_cast<Index>(set.size()));
 }

@@ -11,8 +11,8 @@
 #include <set>
 #include <vector>
 
-#include "points/site_geometry.h"
 #include "points/outliers.h"
+#include "points/site_geometry.h"
 #include "support/clouds.h"
 
 namespace filmsticking {

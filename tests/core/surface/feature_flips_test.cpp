@@ -17,9 +17,9 @@
 
 #include "filmsticking/reconstruct.h"
 #include "geometry/meeting.h"
+#include "geometry/triangle_adjacency.h"
 #include "support/clouds.h"
 #include "support/surface_check.h"
-#include "geometry/triangle_adjacency.h"
 
 namespace filmsticking {
 namespace {

@@ -16,8 +16,8 @@
 #include "scene/drawing.h"
 #include "scene/image.h"
 #include "scene/steps.h"
-#include "support/scratch_folder.h"
 #include "support/clouds.h"
+#include "support/scratch_folder.h"
 
 namespace filmsticking::test {
 namespace {

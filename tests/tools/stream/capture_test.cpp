@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 
+#include "io/files.h"
 #include "stream/accumulator.h"
 #include "stream/background_mesher.h"
 #include "stream/capture_error.h"
@@ -17,9 +18,8 @@
 #include "stream/strict_pcd.h"
 #include "stream/trajectory.h"
 #include "stream/voxel_map.h"
-#include "io/files.h"
-#include "support/scratch_folder.h"
 #include "support/clouds.h"
+#include "support/scratch_folder.h"
 #include "turntable.h"
 
 namespace filmsticking::capture {
