@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "cloud.h"
 #include "filmsticking/types.h"
 
 namespace filmsticking::io {
-
-/// Red, green, blue: 0 to 255.
-using Colour = std::array<std::uint8_t, 3>;
 
 /// What a file of points or of a mesh holds. Positions have the very value of the file.
 struct Model {
