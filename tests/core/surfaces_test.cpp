@@ -2,6 +2,7 @@
 // Adjacency, first surfaces, orientation.
 #include <gtest/gtest.h>
 
+#include "film/initial_surface.h"
 #include "geometry/enclosed_volume.h"
 #include "geometry/meeting.h"
 #include "geometry/surface.h"

@@ -8,6 +8,7 @@
 
 #include "delaunay/delaunay.h"
 #include "film/attraction_weights.h"
+#include "film/initial_surface.h"
 #include "film/restricted_power_diagram.h"
 #include "film/virtual_sites.h"
 #include "geometry/nearest.h"
