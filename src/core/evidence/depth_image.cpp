@@ -15,8 +15,10 @@
 
 #include "evidence/layers.h"
 #include "evidence/raster_viewpoint.h"
+#include "geometry/every_nth.h"
 #include "geometry/nearest.h"
 #include "geometry/parallel.h"
+#include "geometry/quantile.h"
 #include "geometry/triangle_adjacency.h"
 #include "surface/open_surface.h"
 
@@ -97,30 +99,28 @@ Spread spread_of(const std::vector<Vec3>& seen, const Cancel& cancel) {
     const std::vector<Index> near = tree.nearest(seen[i], rank + 1);
     return (seen[i] - seen[near.back()]).norm();
   };
-  const std::size_t step = seen.size() / kLookedAt + 1, looked = (seen.size() + step - 1) / step;
-  const double most = kFewTooNear * static_cast<double>(looked);
+  const EveryNth looked(seen.size(), kLookedAt);
+  const double most = kFewTooNear * static_cast<double>(looked.size());
   double too_near = 0, in_square = 0;
   // By a few at a time: where all are in one direction, each search looks at all of them.
-  for (std::size_t begin = 0; begin < looked && too_near <= most; begin += kAtATime) {
+  for (std::size_t begin = 0; begin < looked.size() && too_near <= most; begin += kAtATime) {
     cancel();
-    const std::size_t end = std::min(looked, begin + kAtATime);
+    const std::size_t end = std::min(looked.size(), begin + kAtATime);
     too_near += parallel_sum(end - begin, [&](std::size_t k) {
-      const auto i = static_cast<Index>((begin + k) * step);
+      const auto i = static_cast<Index>(looked[begin + k]);
       const double own = distance(i, 1);
       if (!(own > 0)) return 1;
       std::vector<double> usual;
       for (const Index j : tree.nearest(seen[i], kAround + 1)) usual.push_back(distance(j, 1));
-      const auto middle = usual.begin() + static_cast<std::ptrdiff_t>(usual.size() / 2);
-      std::nth_element(usual.begin(), middle, usual.end());
-      return own > kTooNear * *middle ? 0 : 1;
+      return own > kTooNear * median(usual.begin(), usual.end()) ? 0 : 1;
     });
     if (too_near > most) break;
     in_square += parallel_sum(end - begin, [&](std::size_t k) {
-      const auto i = static_cast<Index>((begin + k) * step);
+      const auto i = static_cast<Index>(looked[begin + k]);
       return distance(i, 4) < kSquare * distance(i, 1) ? 1 : 0;
     });
   }
-  return {too_near <= most, in_square >= kMostSquare * static_cast<double>(looked)};
+  return {too_near <= most, in_square >= kMostSquare * static_cast<double>(looked.size())};
 }
 
 // Where the lines of sight cross a plane before the viewpoint.

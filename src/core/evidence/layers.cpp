@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/every_nth.h"
 #include "geometry/nearest.h"
 #include "geometry/parallel.h"
 
@@ -68,12 +69,12 @@ double share_between_layers(const Surface& film, const std::vector<Vec3>& places
     }
   }
   const PointTree tree(places);
-  const std::size_t step = film.site.size() / kLookedAt + 1, looked = (film.site.size() + step - 1) / step;
+  const EveryNth looked(film.site.size(), kLookedAt);
   double between = 0;
-  for (std::size_t begin = 0; begin < looked; begin += kAtATime) {
+  for (std::size_t begin = 0; begin < looked.size(); begin += kAtATime) {
     cancel();
-    between += parallel_sum(std::min(looked, begin + kAtATime) - begin, [&](std::size_t k) {
-      const std::size_t v = (begin + k) * step;
+    between += parallel_sum(std::min(looked.size(), begin + kAtATime) - begin, [&](std::size_t k) {
+      const std::size_t v = looked[begin + k];
       if (against[v] <= kAgainst * area[v]) return 0;
       if (geometry.variation[film.site[v]] < kNoise) return 1;
       std::vector<Vec3> around;
@@ -81,7 +82,7 @@ double share_between_layers(const Surface& film, const std::vector<Vec3>& places
       return kurtosis(around) < kOneLayer ? 1 : 0;
     });
   }
-  return looked > 0 ? between / static_cast<double>(looked) : 0;
+  return looked.size() > 0 ? between / static_cast<double>(looked.size()) : 0;
 }
 
 }  // namespace filmsticking

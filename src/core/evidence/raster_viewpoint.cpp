@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/every_nth.h"
 #include "geometry/nearest.h"
 #include "geometry/parallel.h"
 
@@ -36,10 +37,10 @@ struct RowPlane {
 // Bends in the surface are of other threes: those of a row are seen in it as lines.
 std::vector<RowPlane> row_planes(const std::vector<Vec3>& places, const PointTree& tree,
                                  const SiteGeometry& geometry, double opposite) {
-  const std::size_t step = places.size() / kLookedAt + 1, looked = (places.size() + step - 1) / step;
-  std::vector<std::vector<RowPlane>> found(looked);
-  parallel_each(looked, [&](std::size_t i) {
-    const Vec3& middle = places[i * step];
+  const EveryNth looked(places.size(), kLookedAt);
+  std::vector<std::vector<RowPlane>> found(looked.size());
+  parallel_each(looked.size(), [&](std::size_t i) {
+    const Vec3& middle = places[looked[i]];
     const std::vector<Index> near = tree.nearest(middle, kAround + 1);
     for (std::size_t j = 1; j < near.size(); ++j)
       for (std::size_t k = j + 1; k < near.size(); ++k) {
@@ -47,7 +48,7 @@ std::vector<RowPlane> row_planes(const std::vector<Vec3>& places, const PointTre
         const double shorter = std::min(a.norm(), b.norm()), size = normal.norm();
         if ((a + b).norm() > 2 * opposite * shorter || !(size > 0)) continue;
         const double bend = size / (a.norm() * b.norm()),
-                     along = normal.dot(geometry.normal[i * step]) / size;
+                     along = normal.dot(geometry.normal[looked[i]]) / size;
         found[i].push_back(
             {middle, normal / size, (1 - along * along) * bend * bend / (bend * bend + kBend * kBend)});
       }

@@ -222,6 +222,8 @@ class Repair {
     relabel({a, b}, {g, h, next_in_face(g), next_in_face(h), twin_[g], twin_[h]});
   }
 
+  // Not flip_edge() and have_edge() of triangle_adjacency.h: here borders may be glued to each other, several
+  // edges may join two orbits, and half-edges name orbits, of which a site has several.
   void flip_edge(Index e) {
     // a-b with c on the left and d on the right becomes c-d.
     const Index f = twin_[e];

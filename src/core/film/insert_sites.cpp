@@ -58,15 +58,6 @@ class Inserter {
     return l > 0 ? Vec3(n / l) : Vec3::Zero();
   }
 
-  bool joined(Index h, Index b) const {
-    const Index start = h;
-    do {  // ends: the film is closed, so the faces around a vertex come round
-      if (from(next_in_face(h)) == b) return true;
-      h = twin_[prev_in_face(h)];
-    } while (h != start);
-    return false;
-  }
-
   // How folded the faces around a pair are: its own dihedral angle and those to its four neighbours.
   double bend(const Vec3& n1, const Vec3& n2, const std::array<Vec3, 4>& around, bool flipped) const {
     // around: the faces across bc, ca (of abc) and ad, db (of bad).
@@ -99,8 +90,9 @@ class Inserter {
                                   bend(unit_normal(a, b, c), unit_normal(b, a, d), around, false));
       const double after = price(corner_angle(a, c, d) + corner_angle(b, c, d),
                                  bend(unit_normal(a, d, c), unit_normal(b, c, d), around, true));
-      if (!(after < before - 1e-9) || joined(prev_in_face(h), id)) continue;
-      flip(h);
+      if (!(after < before - 1e-9) || have_edge(film_.triangles, twin_, prev_in_face(h), prev_in_face(g)))
+        continue;
+      flip_edge(film_.triangles, twin_, h);
       ++flips;
       for (Index e : {next_in_face(h), prev_in_face(h), next_in_face(g), prev_in_face(g)})
         queue_.push_back(e);
@@ -110,17 +102,6 @@ class Inserter {
 
   // The sum of the angles opposite an edge is below pi where the edge is Delaunay.
   static double price(double opposite, double bend) { return opposite / M_PI + bend; }
-
-  void flip(Index h) {
-    const Index g = twin_[h];
-    const Index h1 = next_in_face(h), h2 = prev_in_face(h), g1 = next_in_face(g), g2 = prev_in_face(g);
-    const Index a = from(h), b = from(g), c = from(h2), d = from(g2);
-    const Index bc = twin_[h1], ca = twin_[h2], ad = twin_[g1], db = twin_[g2];
-    set_origin(h, d), set_origin(h1, c), set_origin(h2, a);
-    set_origin(g, c), set_origin(g1, d), set_origin(g2, b);
-    link(h, g), link(h1, ca), link(h2, ad), link(g1, db), link(g2, bc);
-  }
-  void set_origin(Index h, Index v) { film_.triangles[h / 3][h % 3] = v; }
 
   Surface& film_;
   std::vector<Index> twin_;

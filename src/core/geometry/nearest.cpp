@@ -46,6 +46,7 @@ struct PointTree::Impl {
     Index axis;
     (node.hi - node.lo).maxCoeff(&axis);
     const Index middle = begin + (end - begin) / 2;
+    // Not median(): the halves must be parted at the middle, ties by number.
     std::nth_element(id.begin() + begin, id.begin() + middle, id.begin() + end, [&](Index a, Index b) {
       return p[a][axis] != p[b][axis] ? p[a][axis] < p[b][axis] : a < b;
     });

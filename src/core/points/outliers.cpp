@@ -7,6 +7,7 @@
 
 #include "geometry/nearest.h"
 #include "geometry/parallel.h"
+#include "geometry/quantile.h"
 
 namespace filmsticking {
 namespace {
@@ -29,9 +30,7 @@ std::vector<Index> outliers(const Rest& rest, const SiteGeometry& geometry) {
   sorted.reserve(rest.size);
   for (std::size_t i = 0; i < rest.left.size(); ++i)
     if (rest.left[i]) sorted.push_back(geometry.spacing[i]);
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  const double typical = *middle;
+  const double typical = median(sorted.begin(), sorted.end());
   std::vector<char> out(rest.left.size());
   parallel_each(out.size(), [&](std::size_t i) {
     if (!rest.left[i]) return;

@@ -7,6 +7,7 @@
 
 #include "geometry/nearest.h"
 #include "geometry/parallel.h"
+#include "geometry/quantile.h"
 
 namespace filmsticking {
 
@@ -58,9 +59,7 @@ double near_spacing(const SiteGeometry& geometry, Index site) {
   for (Index other : geometry.near[site])
     if (other != kNone) spacing[count++] = geometry.spacing[other];
   if (count == 0) return geometry.spacing[site];
-  const auto middle = spacing.begin() + count / 2;
-  std::nth_element(spacing.begin(), middle, spacing.begin() + count);
-  return *middle;
+  return median(spacing.begin(), spacing.begin() + count);
 }
 
 }  // namespace filmsticking
