@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "delaunay/delaunay.h"
+#include "geometry/euler.h"
 #include "geometry/monitor.h"
 #include "geometry/parallel.h"
 #include "pipeline.h"
@@ -128,9 +129,9 @@ void describe_result(Result& result, const SurfaceTopology& topology) {
   if (!report.manifold) return;
   report.components = topology.components;
   report.boundary_loops = boundary_loops(topology.twin);
-  const std::int64_t edges = (3 * report.triangles + report.boundary_edges) / 2;
-  const std::int64_t euler = vertices - edges + report.triangles;
-  report.genus = (2 * report.components - euler - report.boundary_loops) / 2;
+  report.genus =
+      genus(report.components, euler_characteristic(vertices, report.triangles, report.boundary_edges),
+            report.boundary_loops);
 }
 
 void run(const PointsView& points, const Options& options, const Execution& execution, Result& result) {

@@ -12,6 +12,7 @@
 #include "geometry/face_tree.h"
 #include "geometry/meeting.h"
 #include "geometry/parallel.h"
+#include "geometry/quantile.h"
 #include "geometry/triangle_adjacency.h"
 #include "geometry/unset_vector.h"
 
@@ -108,9 +109,7 @@ class FeatureFlips {
         if (g == some[v]) break;
       }
       if (values.empty()) return 0.0F;
-      const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<float>(values.size()));
-      std::nth_element(values.begin(), at, values.end());
-      return *at;
+      return quantile(values.begin(), values.end(), share);
     };
     UnsetVector<float> own(some.size());
     rough_.resize(some.size());

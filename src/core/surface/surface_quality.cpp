@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/euler.h"
 #include "geometry/triangle_adjacency.h"
 
 namespace filmsticking {
@@ -47,9 +48,10 @@ SurfaceQuality surface_quality(const Surface& film, const SiteGeometry& geometry
   const std::int64_t pieces = connected_components(twin, component);
   const std::int64_t rim = std::count(twin.begin(), twin.end(), kNone);
   const auto faces = static_cast<std::int64_t>(film.triangles.size());
-  const std::int64_t euler = static_cast<std::int64_t>(film.positions.size()) - (faces + rim) / 2;
-  quality.handles = std::max<std::int64_t>(0, 2 * pieces - euler - boundary_loops(twin)) / 2;
-  quality.complexity = pieces + std::max<std::int64_t>(0, 2 * pieces - euler) / 2;
+  const std::int64_t euler =
+      euler_characteristic(static_cast<std::int64_t>(film.positions.size()), faces, rim);
+  quality.handles = std::max<std::int64_t>(0, genus(pieces, euler, boundary_loops(twin)));
+  quality.complexity = pieces + std::max<std::int64_t>(0, genus(pieces, euler, 0));
   quality.off = static_cast<std::int64_t>(geometry.spacing.size()) - sites_on(film, geometry.spacing.size());
   return quality;
 }

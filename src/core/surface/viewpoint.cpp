@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/every_nth.h"
 #include "geometry/parallel.h"
 
 namespace filmsticking {
@@ -64,8 +65,9 @@ std::vector<Edge> some_edges(const Surface& surface) {
   for (Index h = 0; h < static_cast<Index>(twin.size()); ++h)
     if (twin[h] > h) inner.push_back(h);
   std::vector<Edge> edges;
-  for (std::size_t i = 0; i < inner.size(); i += inner.size() / kEdges + 1) {
-    const Index h = inner[i];
+  const EveryNth sample(inner.size(), kEdges);
+  for (std::size_t i = 0; i < sample.size(); ++i) {
+    const Index h = inner[sample[i]];
     edges.push_back({(surface.corner(h / 3, h % 3) + surface.corner(h / 3, (h + 1) % 3)) / 2,
                      surface.area_vector2(h / 3).normalized(),
                      surface.area_vector2(twin[h] / 3).normalized()});
@@ -95,13 +97,13 @@ std::size_t crossings(const Surface& surface, const Vec3& x, const Vec3& along, 
 template <typename Test>
 double share_of_lines(const Surface& surface, const Cancel& cancel, const Test& test) {
   const std::size_t n = surface.triangles.size();
-  const std::size_t step = n / std::clamp(kTests / (n + 1), kFewLines, kLines) + 1;
-  std::size_t lines = 0, held = 0;
-  for (std::size_t i = 0; i < n; i += step) {
+  const EveryNth lines(n, std::clamp(kTests / (n + 1), kFewLines, kLines));
+  std::size_t held = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
     cancel();
-    ++lines, held += test(static_cast<Index>(i));
+    held += test(static_cast<Index>(lines[i]));
   }
-  return lines > 0 ? static_cast<double>(held) / static_cast<double>(lines) : 0;
+  return lines.size() > 0 ? static_cast<double>(held) / static_cast<double>(lines.size()) : 0;
 }
 
 // The share of a component's area that shows its front to a point.
