@@ -31,85 +31,114 @@
 namespace filmsticking {
 namespace {
 
-// A belief is weighed against the evidence with this conviction; it grows around sites that the cut leaves
-// off, a few times: thin plates are given up by a weak one, and a strong one everywhere would not be smooth.
-constexpr double kConviction = 0.1, kConvictionGrowth = 4;
-// The two sides of an open surface are known better, but closing it costs the area of the gap.
+// Weight of a belief against the facets' evidence, per area.
+constexpr double kConviction = 0.1;
+// The same for the two sides of an open surface, which are known better: closing it costs the area of a lid.
 constexpr double kSidesConviction = 1;
+// Factor on the conviction around the sites that a cut missed. A weak conviction gives up thin plates; a
+// strong one everywhere would not be smooth.
+constexpr double kConvictionGrowth = 4;
+// Most cuts by one belief.
 constexpr int kCuts = 6;
-// The first cut that keeps this share of the sites has the shape; later ones only bring sites.
+// Fraction of sites that a cut keeps. The first cut above it decides the topology; later cuts only add sites.
 constexpr double kKeptShare = 0.8;
-// A cut that leaves this share off as the one before is the last.
+// Fraction of missed sites that the next cut still misses. Above: stop.
 constexpr double kStalled = 0.95;
-// What a component or a handle costs a candidate, in sites off it.
+
+// Price of a component or a handle in Candidate::score(), in sites off the surface.
 constexpr double kComplexityPrice = 5;
-// What a surface all of bridges would cost, beside one whose normals disagree everywhere.
+// Price per fraction of area in bridge faces, where 1 is the price of normals that disagree everywhere.
 constexpr double kBridgePrice = 0.5;
-// What a site off the surface costs, in areas of one sample.
+// Price per fraction of near sites with opposite normals.
+constexpr double kOppositePrice = 0.1;
+// Price of an inserted site, in sites off the surface: it is on the surface, but did not get there by itself.
+constexpr double kInsertedPrice = 0.2;
+// Price of a site off the surface, in areas of one sample.
 constexpr double kOffPrice = 5;
-// Widths up to which carving does not enter, in spacings, and the conviction with which it is believed then;
-// and how much surer it is of the outside for a width one spacing larger. The slow rise leaves chance gaps in
-// a thin wall to the evidence. Where walls are thin nearly everywhere, a weak conviction gives them up. The
-// last width is that of some chance gaps: its score must be this share of the best one.
+
+// Carvings, in this order. Width: the ball that carves the outside does not enter narrower places, in
+// spacings. Conviction: see above; a weak one gives up shapes whose walls are thin nearly everywhere. Share:
+// accept below this fraction of the best score. The last width is that of some chance gaps.
 constexpr struct {
   double width, conviction, share = 1;
 } kCarvings[] = {{2, kConviction}, {4, kConviction}, {2, 0.5}, {2.5, 0.5}, {1.5, 0.5, 0.9}};
+// Growth of the belief in the outside per spacing of width. Slow: the evidence decides about chance gaps in
+// thin walls.
 constexpr double kCarveSlope = 0.2;
-// How much surer of the inside for a width one spacing smaller.
+// Growth of the belief in the inside per spacing.
 constexpr double kInsideSlope = 3;
-// How many times a surface may be cut again, by evidence from its own normals: later times change little.
+// Most cuts by evidence from the surface's own normals. Later ones change little.
 constexpr int kRefinements = 2;
-// More sites than this share of all may not be given up for it.
+// Fraction of sites that such a cut may lose. More: reject.
 constexpr double kGivenUp = 0.001;
-// A wrap's ball in units of the box's longest side.
+
+// Ball of the alpha wrap, in longest sides of the box.
 constexpr double kWrapAlpha = 0.05;
-// An inserted site may be this many longest edges of its face away from it.
+// Distance of an inserted site from the nearest corner of its face, in longest edges of the face. More: leave
+// it off.
 constexpr double kReach = 2;
-
-// Shares of the sites: a first cut that leaves no more off than the first is taken; one that leaves more off
-// than the second may be that of an open surface, and more than the third, has no inside; where the best
-// surface leaves more off than the last, the film from the sphere is tried too.
-constexpr double kLittleTrouble = 0.01, kSomeTrouble = 0.1, kNoInside = 0.3, kMuchTrouble = 0.1;
-// Of the first surface's score, that of two sides must be less than this share where there may be an inside.
-constexpr double kMuchBetter = 0.9;
-
-// Tetrahedra a site above which the points are on no surface, but on two curves, say.
+// Tetrahedra per site. More: the points are on no surface, but on two curves, say; no virtual sites.
 constexpr std::int64_t kMostForVirtual = 64;
 
-// What a surface costs of which all neighbours face opposite ways, and what a handle of an open surface
-// costs, in sites off it. What costs no more than that above another is as good, if it leaves no more sites
-// off than that share. Seen from where it was seen from, a surface is open where no fewer lines cross it
-// oddly.
-constexpr double kConflictPrice = 2, kHandlePrice = 20, kLoose = 0.005, kFewMissed = 0.001, kSeenOpen = 0.4;
-// The disagreement (SurfaceQuality) of a view through both sides of a plate 0.4 spacings thick, which is open
-// as soon as closed; and what the looseness of a closed surface must be of another's, to be taken in its
-// place.
-constexpr double kThinnest = 0.15, kMuchPlainer = 0.5;
+// Fraction of sites missed by the first cut. < 1 %: accept.
+constexpr double kLittleTrouble = 0.01;
+// > 10 %: also try open-surface methods.
+constexpr double kSomeTrouble = 0.1;
+// > 30 %: assume there is no inside.
+constexpr double kNoInside = 0.3;
+// Fraction of sites off the best surface. > 10 %: also try the film from the sphere.
+constexpr double kMuchTrouble = 0.1;
+// Score of two sides over that of the first surface, which may have an inside. < 0.9: two sides are better.
+constexpr double kMuchBetter = 0.9;
 
-// Handles that an open surface may have; how many times those of a closed one it has where it is torn, and
-// what the score of that must be of its own. Measured: 0.33 of plates half a spacing thick, 0.77 of noise.
-constexpr std::int64_t kWhole = 3, kTorn = 4;
+// Price in looseness() per fraction of near sites with opposite normals.
+constexpr double kConflictPrice = 2;
+// Price in looseness() of a handle, in sites off the surface.
+constexpr double kHandlePrice = 20;
+// Looseness by which a view may be worse than another surface and is still preferred.
+constexpr double kLoose = 0.005;
+// Fraction of sites by which a view may have more off than another surface.
+constexpr double kFewMissed = 0.001;
+// Fraction of the lines of sight that cross the other surface an odd number of times. < 0.4: it is closed, so
+// the view is not the better one.
+constexpr double kSeenOpen = 0.4;
+// Disagreement (SurfaceQuality) of a view. > 0.15: it may run through both sides of a plate 0.4 spacings
+// thick.
+constexpr double kThinnest = 0.15;
+// Looseness of a closed view over that of the best closed surface. < 0.5: take the view.
+constexpr double kMuchPlainer = 0.5;
+
+// Handles of an open surface. > 3: it may be a thin wall, torn; try a closed surface.
+constexpr std::int64_t kWhole = 3;
+// Handles of the open surface over components and handles of the closed one. >= 4: it was torn.
+constexpr std::int64_t kTorn = 4;
+// Score of the closed surface over that of the open one. < 0.5: it was torn. Measured: 0.33 for plates half a
+// spacing thick, 0.77 for noise.
 constexpr double kFarBetter = 0.5;
 
-// Which is best, chance and noise say: of an open surface, where some of it is turned over against the rest,
-// the best of these is taken. No more than this share of neighbours face opposite ways where it is not.
+// Rules for facets at the rim of an open surface: votes, weight. Chance and noise decide which is best; where
+// neighbours disagree, the best of the three is taken.
 constexpr RimRule kFirstRim{3, 0.03}, kSecondRim{2, 0.03}, kThirdRim{3, 0.3};
+// Fraction of near sites with opposite normals. <= 0.5 %: neighbours agree; try no other rule.
 constexpr double kLittleConflict = 0.005;
-// What a surface costs of which half shows its back to the point that it was seen from, times two.
+// Price per fraction of area that faces away from the viewpoint.
 constexpr double kTurnedPrice = 0.5;
 
-// Components and handles a site above which two sides are not those of an open surface, but of thin walls,
-// whose layers they confuse.
+// Components and handles per site. > 1.5 %: two sides confuse the layers of thin walls.
 constexpr double kMostComplex = 0.015;
 
-// Two sides are those of a plain open surface if they have no more than these: sites off their first cut, and
-// components and handles, by sites; and neighbours that face opposite ways, by those of the first surface,
-// where that has no inside and where it may have one. A lid must be more of the area than the last, where the
-// result is closed; where it may be open, their score must be the better one.
-constexpr double kPlainWeak = 0.02, kPlainComplex = 0.01, kPlainConflict = 0.75, kFarLessConflict = 0.25,
-                 kLid = 0.2;
+// Two sides are a plain open surface if all of these hold.
+// Fraction of sites missed by their first cut: <= 2 %.
+constexpr double kPlainMissed = 0.02;
+// Components and handles per site: <= 1 %.
+constexpr double kPlainComplex = 0.01;
+// Fraction of near sites with opposite normals, over that of the first surface, where there is no inside: <
+// 0.75; where there may be one: < 0.25.
+constexpr double kPlainConflict = 0.75, kFarLessConflict = 0.25;
+// Fraction of area in bridge faces, if the result is to be closed: > 20 %, the lid.
+constexpr double kLid = 0.2;
 
-// Is there a film, and are all its vertices sites?
+// Has the film faces, and is every vertex a site?
 bool of_sites(const Surface& film) {
   return !film.triangles.empty() && std::count(film.site.begin(), film.site.end(), kNone) == 0;
 }
@@ -127,45 +156,47 @@ Pipeline::Pipeline(const PointsView& points, const SiteSet& sites, const SiteGeo
       open_(options.open_boundary) {}
 
 double Pipeline::Candidate::score() const {
-  if (film.triangles.empty()) return std::numeric_limits<double>::infinity();
-  const double sites = static_cast<double>(film.site.size()) + static_cast<double>(quality.off);
-  // An inserted site is on the film, but where the film did not go by itself.
-  return quality.disagreement + 0.1 * quality.conflict + kBridgePrice * quality.bridging +
-         (static_cast<double>(quality.off) + 0.2 * static_cast<double>(inserted) +
+  if (surface.triangles.empty()) return std::numeric_limits<double>::infinity();
+  const double sites = static_cast<double>(surface.site.size()) + static_cast<double>(quality.off);
+  return quality.disagreement + kOppositePrice * quality.conflict + kBridgePrice * quality.bridging +
+         (static_cast<double>(quality.off) + kInsertedPrice * static_cast<double>(inserted) +
           kComplexityPrice * static_cast<double>(quality.complexity)) /
              sites;
 }
 
-// Of an open surface whose faces may be rough; lower is better.
+// Compares open surfaces, whose faces may be rough: lower is better.
 double Pipeline::looseness(const SurfaceQuality& quality) const {
   return kConflictPrice * quality.conflict +
          (static_cast<double>(quality.off) + kHandlePrice * static_cast<double>(quality.handles)) /
              static_cast<double>(sites_.size());
 }
 
-// Of a closed one that must not have been closed by its sides alone.
+// Compares closed surfaces: lower is better.
 double Pipeline::looseness_closed(const SurfaceQuality& quality) const {
   return (static_cast<double>(quality.off) + kHandlePrice * static_cast<double>(quality.complexity)) /
          static_cast<double>(sites_.size());
 }
 
-void Pipeline::prepare(Tetrahedra tetrahedra) {
+// Returns the belief that the signed field starts from.
+std::vector<double> Pipeline::prepare(Tetrahedra tetrahedra) {
   report_.tetrahedra = static_cast<std::int64_t>(tetrahedra.size());
   mesh_ = make_tetrahedral_mesh(std::move(tetrahedra), sites_.perturbed);
   monitor_.enter("local evidence", 0.15);
-  // The first belief's carving is one long thread of work that the evidence can run beside.
+  std::vector<double> guess;
+  // Carving uses one thread for long, so the evidence runs beside it.
   const auto evidence = [&] { evidence_ = facet_evidence(mesh_, sites_.perturbed, geometry_); };
-  const auto guess = [&] {
-    if (method_of(options_) == Method::Labelling) guess_ = carve_belief(2, kInsideSlope);
+  const auto carving = [&] {
+    if (method_of(options_) == Method::Labelling) guess = carve_belief(2, kInsideSlope);
   };
-  tbb::parallel_invoke(guess, evidence);
+  tbb::parallel_invoke(carving, evidence);
+  return guess;
 }
 
-void Pipeline::show(const Surface& film) const {
+void Pipeline::show(const Surface& surface) const {
   if (!monitor_.execution().on_step) return;
   Mesh mesh;
-  for (const Vec3& p : film.positions) mesh.positions.push_back(sites_.to_input(p));
-  mesh.triangles.assign(film.triangles.begin(), film.triangles.end());
+  for (const Vec3& p : surface.positions) mesh.positions.push_back(sites_.to_input(p));
+  mesh.triangles.assign(surface.triangles.begin(), surface.triangles.end());
   call_back([&] { monitor_.execution().on_step(static_cast<int>(report_.steps.size()), mesh); });
 }
 
@@ -179,7 +210,7 @@ Surface Pipeline::evolve(Surface film, const std::vector<Vec3>& sites, int max_s
   options.round = report_.rounds;
   options.after_step = [&](const StepRecord& record, const Surface& now) {
     report_.steps.push_back(record);
-    // How many steps there will be is not known: each takes a twentieth of what is left.
+    // The number of steps is unknown: each counts as a twentieth of what is left.
     monitor_.progress(monitor_.share() + (0.95 - monitor_.share()) * 0.05);
     show(now);
     return true;
@@ -187,22 +218,22 @@ Surface Pipeline::evolve(Surface film, const std::vector<Vec3>& sites, int max_s
   return evolve_film(std::move(film), sites, sites_.size(), voronoi_, options);
 }
 
-// What follows the last film step: sites still off the film are inserted where that is clean.
-Pipeline::Candidate Pipeline::finish(Surface film) {
+// After the last film step: inserts the sites off the film, where that is clean.
+Pipeline::Candidate Pipeline::with_insertions(Surface film) {
   Candidate candidate;
-  // A film that never came off the first surface has vertices that are no sites.
+  // A film that never left the first surface has vertices that are no sites.
   if (!of_sites(film)) return candidate;
-  candidate.film = std::move(film);
+  candidate.surface = std::move(film);
   if (options_.insert_leftover) {
     monitor_.enter("insertion", monitor_.share());
     std::vector<char> on(sites_.size(), 0);
-    for (Index s : candidate.film.site) on[s] = 1;
+    for (Index s : candidate.surface.site) on[s] = 1;
     std::vector<Index> off;
     for (std::size_t s = 0; s < sites_.size(); ++s)
       if (!on[s]) off.push_back(static_cast<Index>(s));
-    candidate.inserted = insert_sites(candidate.film, sites_.perturbed, off, kReach);
+    candidate.inserted = insert_sites(candidate.surface, sites_.perturbed, off, kReach);
   }
-  candidate.quality = surface_quality(candidate.film, geometry_);
+  candidate.quality = surface_quality(candidate.surface, geometry_);
   return candidate;
 }
 
@@ -215,40 +246,61 @@ std::vector<double> Pipeline::off_prices() const {
   return prices;
 }
 
-// The surface of a cut by a belief, made manifold. The first cut that keeps most sites gives the topology;
-// later ones, by growing conviction around the sites left off, where it should go.
-Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conviction, bool open) {
-  const std::size_t n = sites_.size();
+// Cuts by a belief: labels of several cuts, made manifold. The first cut that keeps most sites decides the
+// topology; the cut with most sites is what the moves aim at. `reaches_infinity`: the inside may.
+Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conviction, bool open,
+                                  bool reaches_infinity) {
   LabelCosts costs{evidence_.cost, std::vector<double>(mesh_.size()), off_prices()};
   parallel_each(mesh_.size(), [&](std::size_t t) {
     const auto& area = evidence_.area[t];
     costs.hold[t] = conviction * (double{area[0]} + area[1] + area[2] + area[3]) * belief[t];
   });
-
   Candidate candidate;
+  candidate.open = open;
+  Cuts cuts = several_cuts(costs.hold, reaches_infinity);
+  candidate.missed = cuts.missed;
+  if (!cuts.has_shape) return candidate;
+
+  monitor_.enter("manifold", monitor_.share());
+  std::vector<char>& labels = cuts.first;
+  ManifoldLabels manifold(mesh_, geometry_, costs, labels, monitor_.cancel());
+  manifold.repair(exempt(labels, open));
+  manifold.warp(cuts.best);
+  manifold.unfold();
+  if (options_.insert_leftover) manifold.reach();
+  candidate.inserted = manifold.counts().reached;
+  candidate.surface = surface_of(labels, open);
+  candidate.labels = std::move(labels);
+  candidate.hold = std::move(costs.hold);
+  return candidate;
+}
+
+// Conviction grows around the sites that the cut before missed.
+Pipeline::Cuts Pipeline::several_cuts(const std::vector<double>& hold, bool reaches_infinity) {
+  const std::size_t n = sites_.size();
+  Cuts cuts;
   std::optional<Sculptor> sculptor;
-  std::vector<double> grown;  // instead of costs.hold, if there is a second cut
-  std::vector<char> labels, aim;
-  std::size_t labels_off = n + 1, aim_off = n + 1, last_off = n;
+  std::vector<double> grown;  // instead of `hold`, if there is a second cut
+  std::size_t first_off = n + 1, best_off = n + 1, last_off = n;
   for (int i = 0; i < kCuts; ++i) {
     monitor_.enter("sculpting", monitor_.share());
-    if (!sculptor) sculptor.emplace(mesh_, evidence_, costs.hold, open);
+    if (!sculptor) sculptor.emplace(mesh_, evidence_, hold, reaches_infinity);
     const std::vector<char> inside = sculptor->cut(monitor_.cancel());
-    std::vector<char> sides(n, 0);  // of each site: 1 inside, 2 outside, 3 both: it is on the surface
+    std::vector<char> sides(n, 0);  // [site]: 1 inside, 2 outside, 3 both: on the surface
     for (std::size_t t = 0; t < mesh_.size(); ++t)
       for (Index v : mesh_.tets.corners[t])
         if (v != kNone) sides[v] = static_cast<char>(sides[v] | (inside[t] ? 1 : 2));
     const std::size_t off = n - static_cast<std::size_t>(std::count(sides.begin(), sides.end(), 3));
-    if (i == 0) candidate.weak = static_cast<double>(off) / static_cast<double>(n);
-    if (off < labels_off &&
-        static_cast<double>(n - std::min(n, labels_off)) < kKeptShare * static_cast<double>(n))
-      labels = inside, labels_off = off;
-    if (off < aim_off) aim = inside, aim_off = off;
+    if (i == 0) cuts.missed = static_cast<double>(off) / static_cast<double>(n);
+    if (off < first_off &&
+        static_cast<double>(n - std::min(n, first_off)) < kKeptShare * static_cast<double>(n))
+      cuts.first = inside, first_off = off;
+    if (off < best_off) cuts.best = inside, best_off = off;
     const bool stalled =
-        i > 0 && 2 * off<n&& static_cast<double>(off)> kStalled * static_cast<double>(last_off);
+        i > 0 && (2 * off < n) && (static_cast<double>(off) > kStalled * static_cast<double>(last_off));
     if (off == 0 || stalled) break;
     last_off = off;
-    if (grown.empty()) grown = costs.hold;
+    if (grown.empty()) grown = hold;
     for (std::size_t t = 0; t < mesh_.size(); ++t)
       for (Index v : mesh_.tets.corners[t])
         if (v != kNone && sides[v] != 3) {
@@ -258,44 +310,31 @@ Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conv
           break;
         }
   }
-  sculptor.reset();  // it is large
-  std::vector<double>().swap(grown);
-  // What keeps fewer than half has lost the shape.
-  if (2 * aim_off > n) return candidate;
-
-  monitor_.enter("manifold", monitor_.share());
-  ManifoldLabels manifold(mesh_, geometry_, costs, labels, monitor_.cancel());
-  manifold.repair(exempt(labels));
-  manifold.warp(aim);
-  manifold.unfold();
-  if (options_.insert_leftover) manifold.reach();
-  candidate.inserted = manifold.counts().reached;
-  candidate.film = film_of(labels);
-  candidate.labels = std::move(labels);
-  candidate.hold = std::move(costs.hold);
-  return candidate;
+  // A cut that keeps fewer than half has lost the shape.
+  cuts.has_shape = 2 * best_off <= n;
+  return cuts;
 }
 
-// Where the surface need not be a manifold: an open one must be when its bridges are gone.
-std::vector<char> Pipeline::exempt(const std::vector<char>& labels) const {
-  if (!open_) return {};
+// Sites at which the labels need no manifold: an open surface must be one without its bridge faces only.
+std::vector<char> Pipeline::exempt(const std::vector<char>& labels, bool open) const {
+  if (!open) return {};
   return manifold_without_bridges(tetrahedral_boundary(mesh_, labels), sites_.perturbed, geometry_);
 }
 
-Surface Pipeline::film_of(const std::vector<char>& labels) const {
-  Surface film = unsorted_surface_of_sites(tetrahedral_boundary(mesh_, labels), sites_.perturbed);
-  if (open_) remove_bridges(film, geometry_);
-  return film;
+Surface Pipeline::surface_of(const std::vector<char>& labels, bool open) const {
+  Surface surface = unsorted_surface_of_sites(tetrahedral_boundary(mesh_, labels), sites_.perturbed);
+  if (open) remove_bridges(surface, geometry_);
+  return surface;
 }
 
-// Of the candidate that was chosen, as its handles tell a bad one; or of copies of two, to compare them.
-// Leaves no `hold`.
+// Moves that close chance gaps and open cavities. For the candidate that was chosen, since handles tell a bad
+// one; or for copies of two, to compare them. The result has no `hold`.
 Pipeline::Candidate Pipeline::without_gaps(Candidate candidate, Mend mend) {
   if (candidate.labels.empty()) return candidate;
   monitor_.enter("gaps", monitor_.share());
   const LabelCosts costs{evidence_.cost, std::move(candidate.hold), off_prices()};
   ManifoldLabels manifold(mesh_, geometry_, costs, candidate.labels, monitor_.cancel());
-  manifold.repair(exempt(candidate.labels));  // it takes the census
+  manifold.repair(exempt(candidate.labels, candidate.open));  // takes the census
   if (mend == Mend::Plugs) {
     manifold.fill_plugs();
     if (manifold.counts().tunnels + manifold.counts().tears == 0) return candidate;
@@ -306,16 +345,16 @@ Pipeline::Candidate Pipeline::without_gaps(Candidate candidate, Mend mend) {
   manifold.unfold();
   if (options_.insert_leftover) manifold.reach();
   candidate.inserted += manifold.counts().reached;
-  candidate.film = film_of(candidate.labels);
+  candidate.surface = surface_of(candidate.labels, candidate.open);
   return judged(std::move(candidate));
 }
 
 Pipeline::Candidate Pipeline::judged(Candidate candidate) const {
-  candidate.quality = surface_quality(candidate.film, geometry_);
+  candidate.quality = surface_quality(candidate.surface, geometry_);
   return candidate;
 }
 
-// Sure of the inside from a third of a spacing below the limit, of the outside from 1 / slope above it.
+// 1, surely inside, from 1 / kInsideSlope spacings below the limit; -1, surely outside, from 1 / slope above.
 std::vector<double> Pipeline::carve_belief(double limit, double slope) const {
   std::vector<double> belief =
       carve_widths(mesh_, sites_.perturbed, geometry_.spacing, limit - 1 / kInsideSlope, limit + 1 / slope);
@@ -359,41 +398,41 @@ Surface Pipeline::around_one_tetrahedron() {
   std::vector<char> labels(mesh_.size(), 0);
   labels[fattest] = 1;
   LabelCosts costs{evidence_.cost, std::vector<double>(mesh_.size(), 0), off_prices()};
-  costs.hold[fattest] = std::numeric_limits<double>::max();  // it stays
+  costs.hold[fattest] = std::numeric_limits<double>::max();  // no move may remove it
   ManifoldLabels manifold(mesh_, geometry_, costs, labels);
-  manifold.repair();  // there is nothing to repair; it takes the census
+  manifold.repair();  // takes the census; there is nothing to repair
   if (options_.insert_leftover) manifold.reach();
   report_.inserted = manifold.counts().reached;
   return unsorted_surface_of_sites(tetrahedral_boundary(mesh_, labels), sites_.perturbed);
 }
 
-// Nothing to remove and nothing to correct.
-bool Pipeline::settled(const Candidate& candidate) const {
+// Is there nothing to remove and nothing to correct?
+bool Pipeline::settled(const Candidate& candidate) {
   return candidate.inserted == 0 && candidate.quality.off == 0 && candidate.quality.wide_faces == 0;
 }
 
-// Normals fitted to neighbourhoods are wrong where these reach across a thin wall or an edge; the film's own
-// are better there, once it is about right: with them as evidence, it is cut again. What comes of it counts
-// only if it is better by the measure that knows the fitted normals, gives up hardly any sites, and is not
-// more complex, as it is or with the gaps of both filled: a new handle may be a leak.
+// Cuts again by evidence from the surface's own normals: they are better than those of neighbourhoods, which
+// reach across thin walls and edges. Accepts the next surface only if its score by the fitted normals is
+// better, it loses hardly any sites, and it is no more complex, with the gaps of both filled: a new handle
+// may be a leak.
 Pipeline::Candidate Pipeline::refined(Candidate best) {
   for (int round = 0; round < kRefinements && !best.labels.empty(); ++round) {
     monitor_.enter("local evidence", monitor_.share());
     evidence_ = {};  // it is large
     {
       SiteGeometry geometry = geometry_;
-      geometry.normal = surface_normals(best.film, std::move(geometry.normal));
+      geometry.normal = surface_normals(best.surface, std::move(geometry.normal));
       evidence_ = facet_evidence(mesh_, sites_.perturbed, geometry);
     }
     monitor_.enter("signed field", monitor_.share());
     std::vector<double> guess(mesh_.size());
     for (std::size_t t = 0; t < guess.size(); ++t) guess[t] = best.labels[t] ? 1 : -1;
-    Candidate next =
-        judged(cut(signed_field(mesh_, evidence_, std::move(guess), monitor_.cancel()), kConviction));
+    Candidate next = judged(
+        cut(signed_field(mesh_, evidence_, std::move(guess), monitor_.cancel()), kConviction, best.open));
     const double given_up = static_cast<double>(next.quality.off - best.quality.off);
     if (!(next.score() < best.score()) || given_up > kGivenUp * static_cast<double>(sites_.size())) break;
-    // A chance gap is no leak. They are filled in copies, to compare: a surface whose gaps are filled holds
-    // on to what is wrong beside them when it is cut again.
+    // A chance gap is no leak, so gaps are filled before the comparison; in copies, because a surface with
+    // filled gaps would keep the errors beside them in the next cut.
     if (next.quality.complexity > best.quality.complexity) {
       const std::int64_t filled = without_gaps(next).quality.complexity;
       if (filled > 1 && filled > without_gaps(best).quality.complexity) break;
@@ -403,18 +442,19 @@ Pipeline::Candidate Pipeline::refined(Candidate best) {
   return best;
 }
 
-Pipeline::Candidate Pipeline::cut_sides(const RimRule& rim, const Vec3* viewpoint, bool open) {
+Pipeline::Candidate Pipeline::cut_sides(const RimRule& rim, const Vec3* viewpoint, bool open,
+                                        bool reaches_infinity) {
   monitor_.enter("two sides", monitor_.share());
   return judged(
       cut(two_sides(mesh_, sites_.perturbed, evidence_, geometry_, rim, viewpoint, monitor_.cancel()),
-          kSidesConviction, open));
+          kSidesConviction, open, reaches_infinity));
 }
 
-// By the facets alone. Where some of an open surface is turned over against the rest, by other rules as well,
-// and if it is a scan from one side, by the point that it was seen from, which the first surfaces tell.
+// By the facets alone. Where neighbours on an open surface disagree, tries the other rules; the last one with
+// the viewpoint of the best surface, if that is a scan from one side.
 Pipeline::Candidate Pipeline::cut_two_sides() {
   const auto by_rule = [&](const RimRule& rim, const Vec3* viewpoint) {
-    return cut_sides(rim, viewpoint, open_);
+    return cut_sides(rim, viewpoint, open_, open_);
   };
   Candidate best = by_rule(kFirstRim, nullptr);
   if (!open_ || best.quality.conflict <= kLittleConflict) return best;
@@ -422,11 +462,12 @@ Pipeline::Candidate Pipeline::cut_two_sides() {
   if (next.score() < best.score()) best = std::move(next);
   if (best.quality.conflict <= kLittleConflict) return best;
   monitor_.enter("two sides", monitor_.share());
-  const Vec3 viewpoint = common_viewpoint(best.film);
-  const bool one_view = !best.film.triangles.empty() && seen_once(best.film, viewpoint, monitor_.cancel());
+  const Vec3 viewpoint = common_viewpoint(best.surface);
+  const bool one_view =
+      !best.surface.triangles.empty() && seen_once(best.surface, viewpoint, monitor_.cancel());
   next = by_rule(kThirdRim, one_view ? &viewpoint : nullptr);
   const auto price = [&](const Candidate& sides) {
-    return sides.score() + (one_view ? kTurnedPrice * turned_away(sides.film, viewpoint) : 0);
+    return sides.score() + (one_view ? kTurnedPrice * turned_away(sides.surface, viewpoint) : 0);
   };
   return price(next) < price(best) ? std::move(next) : std::move(best);
 }
@@ -447,14 +488,14 @@ std::optional<DepthImage> Pipeline::image_of(const std::vector<Vec3>& places) {
   return depth_image(places, geometry_, given_viewpoint(), monitor_.cancel());
 }
 
-std::optional<DepthImage> Pipeline::visible_surface() {
+std::optional<FoundSurface> Pipeline::visible_surface() {
   std::optional<DepthImage> image = image_of(exact_places());
-  if (image) viewpoint_ = image->viewpoint;
-  return image;
+  if (!image) return {};
+  return FoundSurface{std::move(image->surface), image->viewpoint};
 }
 
-// All of the sites, seen from the viewpoint that the caller gives, if they may be: a thinned or rough depth
-// image is none by its pixels.
+// All sites, seen from the viewpoint that the caller gives; nothing if they cannot be. For depth images that
+// are thinned or rough, which do not look like one by their pixels.
 std::optional<DepthImage> Pipeline::given_view() {
   const std::optional<Vec3> viewpoint = given_viewpoint();
   if (!viewpoint) return {};
@@ -462,37 +503,39 @@ std::optional<DepthImage> Pipeline::given_view() {
   return image_from(exact_places(), *viewpoint, geometry_, monitor_.cancel());
 }
 
-// They are, if what is found without that is open, seen from there, and has no fewer folds and handles: an
-// image has none by nature. Where they are about as good, the image knows which side is seen.
+// Compares the view with the surface found without it. The view is better if the other surface is open as
+// seen from there and the view has about as few folds, handles and missed sites. Ties go to the view, which
+// knows the side that is seen.
 bool Pipeline::is_better_view(const DepthImage& image, Surface found) const {
   Candidate open;
-  open.film = std::move(found);
-  remove_bridges(open.film, geometry_);
-  if (crossed_oddly(open.film, image.viewpoint, monitor_.cancel()) < kSeenOpen) return false;
+  open.surface = std::move(found);
+  remove_bridges(open.surface, geometry_);
+  if (crossed_oddly(open.surface, image.viewpoint, monitor_.cancel()) < kSeenOpen) return false;
   const SurfaceQuality other = judged(std::move(open)).quality;
   const double off = static_cast<double>(std::max<std::int64_t>(0, image.quality.off - other.off));
   return off <= kFewMissed * static_cast<double>(sites_.size()) &&
          looseness(image.quality) < looseness(other) + kLoose;
 }
 
-// By what is before and behind a depth image. Its gaps are those of its steps.
+// Inside is what is behind a depth image. Its gaps are those of its steps in depth.
 Pipeline::Candidate Pipeline::cut_image(const Vec3& viewpoint) {
   const std::vector<double> sides = depth_image_sides(mesh_, sites_.perturbed, viewpoint, monitor_.cancel());
-  return without_gaps(judged(cut(sides, kConviction)), Mend::Plugs);
+  return without_gaps(judged(cut(sides, kConviction, open_)), Mend::Plugs);
 }
 
-// By local evidence alone; where its first cut leaves many sites off, in other ways, too. Of a depth image,
-// all of these know less than the image.
-Pipeline::Candidate Pipeline::carve() {
+// Method::Labelling. First by local evidence alone; if that cut misses many sites, by other starts too. A
+// depth image is tried before them, since it knows more. `guess`: the belief that the field starts from.
+Pipeline::Candidate Pipeline::labelling(std::vector<double> guess) {
   monitor_.enter("signed field", 0.25);
-  Candidate best = cut(signed_field(mesh_, evidence_, std::move(guess_), monitor_.cancel()), kConviction);
+  Candidate best =
+      cut(signed_field(mesh_, evidence_, std::move(guess), monitor_.cancel()), kConviction, open_);
   best = judged(std::move(best));
-  if (best.weak <= kLittleTrouble && !best.film.triangles.empty()) {
-    // With a handle or a second part it may have walls, if no thin ones.
+  if (best.missed <= kLittleTrouble && !best.surface.triangles.empty()) {
+    // With a handle or a second component it may have walls, if no thin ones.
     if (best.quality.complexity > 1) best = without_gaps(std::move(best), Mend::Plugs);
     return best;
   }
-  if (best.weak <= kSomeTrouble) return carve_further(std::move(best), false);
+  if (best.missed <= kSomeTrouble) return carve_further(std::move(best), false);
 
   if (!open_)
     if (const auto image = image_of(sites_.perturbed))
@@ -502,22 +545,22 @@ Pipeline::Candidate Pipeline::carve() {
   const auto by_view = [&] {
     if (!open_) return cut_image(view->viewpoint);
     Candidate seen;
-    seen.film = view->surface;
-    viewpoint_ = view->viewpoint;
+    seen.surface = view->surface;
+    seen.viewpoint = view->viewpoint;
     return seen;
   };
   if (view && view->quality.disagreement <= kThinnest) {
-    // A closed surface that follows both sides of an open one tells nothing.
-    Surface found =
-        open_ ? (sides.score() < best.score() ? sides : best).film : cut_sides(kFirstRim, nullptr, true).film;
+    // Not a closed surface: it could follow both sides of an open one, which says nothing.
+    Surface found = open_ ? (sides.score() < best.score() ? sides : best).surface
+                          : cut_sides(kFirstRim, nullptr, false, true).surface;
     if (is_better_view(*view, std::move(found)))
       if (Candidate seen = by_view(); open_ || has_shape(seen)) return seen;
   }
-  // What is rough may be a thin wall, too, but that comes out closed and plain.
+  // A rough view may still be that of a thin wall, but a thin wall gives a plain closed surface.
   if (open_) {
     Candidate first = best;
     best = closed_if_torn(with_sides(std::move(best), std::move(sides)), std::move(first));
-    return view && is_better_view(*view, best.film) ? by_view() : std::move(best);
+    return view && is_better_view(*view, best.surface) ? by_view() : std::move(best);
   }
   best = with_sides(std::move(best), std::move(sides));
   if (!view) return best;
@@ -526,72 +569,73 @@ Pipeline::Candidate Pipeline::carve() {
   return has_shape(seen) && plainer ? std::move(seen) : std::move(best);
 }
 
-// An open surface with handles may be a thin wall's, torn. `closed`: the first candidate. If carving makes a
-// far better surface of it, with hardly a handle and without leaving off more, it is closed.
+// An open surface with many handles may be a thin wall, torn. `closed`: the first candidate, from which
+// carving starts. The closed surface is taken if its score is far better, it has hardly a handle and no more
+// sites are off.
 Pipeline::Candidate Pipeline::closed_if_torn(Candidate open, Candidate closed) {
   if (open.quality.handles <= kWhole) return open;
-  open_ = false;
-  if (!closed.labels.empty()) closed.film = film_of(closed.labels), closed = judged(std::move(closed));
+  closed.open = false;
+  if (!closed.labels.empty())
+    closed.surface = surface_of(closed.labels, false), closed = judged(std::move(closed));
   bool two_sided = false;
   closed = by_widths(std::move(closed), two_sided);
   if (closed.score() < open.score()) closed = without_gaps(refined(std::move(closed)));
-  open_ = true;
   const bool whole = closed.score() < kFarBetter * open.score() && closed.quality.off <= open.quality.off &&
                      kTorn * closed.quality.complexity <= open.quality.handles;
   return whole ? std::move(closed) : std::move(open);
 }
 
 bool Pipeline::has_shape(const Candidate& candidate) {
-  return !candidate.film.triangles.empty() && candidate.weak <= kNoInside;
+  return !candidate.surface.triangles.empty() && candidate.missed <= kNoInside;
 }
 
-// `sides`, if these are a plain open surface; else what carving makes of the better one.
+// Returns `sides` if they are a plain open surface; else the better of both, carved further.
 Pipeline::Candidate Pipeline::with_sides(Candidate best, Candidate sides) {
   const double complexity =
       static_cast<double>(sides.quality.complexity) / static_cast<double>(sites_.size());
-  // A plain open surface: nothing else can be better, and all else takes long there. Closed, it has faces
-  // that nothing supports, and so a bad score; but what is closed and thin instead has none, and winds
-  // between its sides, where neighbours face both ways.
-  const bool no_inside = best.weak > kNoInside;
+  // Nothing is better than a plain open surface, and carving one takes long. Its closed form has a lid of
+  // bridge faces, so its score is bad; a thin closed surface has none, but its normals oppose each other.
+  const bool no_inside = best.missed > kNoInside;
   const bool better = sides.score() < (no_inside ? 1 : kMuchBetter) * best.score();
-  const bool best_open = open_ && sides.weak <= kLittleTrouble && complexity <= kLittleTrouble && better;
+  const bool best_open = open_ && sides.missed <= kLittleTrouble && complexity <= kLittleTrouble && better;
   const bool open = open_ ? sides.score() < best.score() : sides.quality.bridging > kLid;
   const bool plain =
-      open && sides.weak <= kPlainWeak && complexity <= kPlainComplex &&
+      open && sides.missed <= kPlainMissed && complexity <= kPlainComplex &&
       sides.quality.conflict < (no_inside ? kPlainConflict : kFarLessConflict) * best.quality.conflict;
   if (best_open || plain) return open_ ? std::move(sides) : without_gaps(std::move(sides));
   const bool two_sided = complexity <= kMostComplex && better;
   return carve_further(two_sided ? std::move(sides) : std::move(best), two_sided);
 }
 
-// By carving at a few widths and convictions. `two_sided`: with these there still is no inside.
+// Carves at several widths and convictions, and keeps the best. `two_sided`: `best` is that of two sides;
+// false once a carving is better.
 Pipeline::Candidate Pipeline::by_widths(Candidate best, bool& two_sided) {
   for (const auto& carving : kCarvings) {
-    // Of slabs and shells it made nothing better than two sides, and it takes as long again.
+    // Measured: no better than two sides for slabs and shells, and as slow as the others together.
     if (two_sided && carving.conviction > kConviction) continue;
     monitor_.enter("carving", monitor_.share());
-    Candidate other = judged(cut(carve_belief(carving.width, kCarveSlope), carving.conviction));
+    Candidate other = judged(cut(carve_belief(carving.width, kCarveSlope), carving.conviction, best.open));
     if (other.score() < carving.share * best.score()) best = std::move(other), two_sided = false;
   }
   return best;
 }
 
-// The best of these is cut again by its own normals. Where there is no telling inside from outside (open
-// surfaces), by the film from the sphere.
+// Carves, then cuts the best again by its own normals. If many sites are still off, because inside and
+// outside cannot be told apart, also tries the film from the sphere.
 Pipeline::Candidate Pipeline::carve_further(Candidate best, bool two_sided) {
   best = by_widths(std::move(best), two_sided);
   if (!two_sided) best = refined(std::move(best));
   best = without_gaps(std::move(best));
   const auto enough = static_cast<std::int64_t>(kMuchTrouble * static_cast<double>(sites_.size()));
-  if (!best.film.triangles.empty() && best.quality.off <= enough) return best;
-  Candidate film = finish(film_from_outside());
+  if (!best.surface.triangles.empty() && best.quality.off <= enough) return best;
+  Candidate film = with_insertions(film_from_outside());
   if (film.score() < best.score()) best = std::move(film);
   return best;
 }
 
-// The surfaces to start from, the next where the film of one before it failed: a wrap that is finer than the
-// gaps between the points crawls through them, and a coarser one or the sphere does not.
-std::vector<std::function<Surface()>> Pipeline::first_surfaces() const {
+// The surfaces that a film starts from, in the order in which they are tried. A wrap finer than the gaps
+// between the points leaks through them; a coarser one or the sphere does not.
+std::vector<std::function<Surface()>> Pipeline::first_films() const {
   const auto sphere = [this] { return bounding_sphere(sites_.perturbed); };
   const auto wrap = [this](double alpha) {
     return [this, alpha] { return alpha_wrap(sites_.perturbed, alpha); };
@@ -614,33 +658,33 @@ std::vector<std::function<Surface()>> Pipeline::first_surfaces() const {
   }
 }
 
-// The film by plain steps from the first surface, and by virtual sites and weights once it stalls.
+// Plain steps from the first surface; virtual sites and weights once they stall.
 Surface Pipeline::film_from_outside() {
   if (voronoi_.offset.empty()) voronoi_ = voronoi_diagram(mesh_.tets, sites_.perturbed);
   Surface film;
-  for (const auto& first : first_surfaces()) {
+  for (const auto& first : first_films()) {
     monitor_.enter("first surface", 0.2);
     const std::size_t steps_before = report_.steps.size();
     film = evolve(first(), sites_.perturbed, options_.max_steps, false);
-    // A leaked film is a double skin: nearly every site has two regions of it.
+    // A leaked film is a double skin: nearly every site owns two regions.
     const bool leaked = report_.steps.size() > steps_before &&
                         2 * report_.steps[steps_before].regions_repaired > report_.sites;
     if (of_sites(film) && !leaked) break;
   }
   if (!of_sites(film)) return {};
-  // A way out, not what the caller chose: the virtual sites would take the square of the tetrahedra.
+  // As a fallback only: the virtual sites would square the number of tetrahedra.
   if (method_of(options_) == Method::Labelling && report_.tetrahedra > kMostForVirtual * report_.sites)
     return film;
-  // Before the film moves: the order in which a call's arguments are evaluated is the compiler's.
+  // Not as an argument below: the film might be moved first.
   const std::vector<Vec3> sites = with_virtual_sites(film);
   film = evolve(std::move(film), sites, options_.max_steps, options_.weights);
-  // A film that was stopped may still hold the places of virtual sites; a step without them drops these.
+  // A film that ran out of steps may still hold virtual sites; a step without them drops these.
   return of_sites(film) ? std::move(film) : evolve(std::move(film), sites_.perturbed, 1, false);
 }
 
-// Virtual sites for the cavities that the film has not reached: on the outer medial axis, where a ball can
-// roll to from outside, beside sites off the film. Given everywhere and from the first step they would pull
-// the film through the shape before the points are on it.
+// Adds virtual sites (paper, section 4.3) in cavities that the film has not reached: beside sites off the
+// film, where a ball can roll in from outside. Everywhere and from the first step, they would pull the film
+// through the shape before the points are on it.
 std::vector<Vec3> Pipeline::with_virtual_sites(const Surface& film) const {
   std::vector<Vec3> sites = sites_.perturbed;
   if (options_.virtual_sites == 0) return sites;
@@ -662,27 +706,27 @@ void Pipeline::rounds(Candidate& best) {
   for (int round = 0; round < options_.max_rounds && !settled(best); ++round) {
     ++report_.rounds;
     monitor_.enter("field", 0.5 + 0.45 * round / options_.max_rounds);
-    const std::vector<double> belief = film_belief(best.film);
+    const std::vector<double> belief = film_belief(best.surface);
     // Poisson's surface is taken as it is; only sculpting weighs it against the evidence.
-    Candidate next = judged(cut(belief, options_.field == FieldMethod::Poisson ? 1e6 : kConviction));
-    // One round is what the paper does, better or not by our own measure; more must earn their keep.
-    if (next.film.triangles.empty() || (round > 0 && !(next.score() < best.score()))) break;
+    Candidate next = judged(cut(belief, options_.field == FieldMethod::Poisson ? 1e6 : kConviction, open_));
+    // The first round is the paper's, whatever its score; the others must improve it.
+    if (next.surface.triangles.empty() || (round > 0 && !(next.score() < best.score()))) break;
     best = std::move(next);
   }
 }
 
-Surface Pipeline::run(Tetrahedra tetrahedra) {
-  prepare(std::move(tetrahedra));
+FoundSurface Pipeline::run(Tetrahedra tetrahedra) {
+  std::vector<double> guess = prepare(std::move(tetrahedra));
   Candidate best;
   if (method_of(options_) == Method::Labelling) {
-    best = carve();
-    show(best.film);
+    best = labelling(std::move(guess));
+    show(best.surface);
   } else {
-    best = finish(film_from_outside());
+    best = with_insertions(film_from_outside());
     rounds(best);
   }
   report_.inserted = best.inserted;
-  return std::move(best.film);
+  return {std::move(best.surface), best.viewpoint};
 }
 
 }  // namespace filmsticking

@@ -19,75 +19,101 @@
 
 namespace filmsticking {
 
-/// From sites to the final film: the first film, its evolution, rounds of field and film, insertion.
+/// What a pipeline finds: a surface of sites, a manifold, or empty.
+struct FoundSurface {
+  Surface surface;
+  std::optional<Vec3> viewpoint;  ///< of a depth image: the point to which all of its faces show their front
+};
+
+/// Chooses a surface of the sites. Method::Labelling: several starts are labelled by minimum cuts and
+/// compared. Method::Film: a film evolves, then rounds of field and cut correct it.
 class Pipeline {
  public:
-  /// `points`: what the sites were made of.
+  /// `points`: what the sites were made of. All arguments must outlive the pipeline.
   Pipeline(const PointsView& points, const SiteSet& sites, const SiteGeometry& geometry,
            const Options& options, Monitor& monitor, Report& report);
 
-  /// Closed manifold of sites, or empty. `tetrahedra`: of the perturbed sites.
-  Surface run(Tetrahedra tetrahedra);
+  /// The surface of the sites by Options::method. Closed unless Options::open_boundary. Once only.
+  /// `tetrahedra`: the Delaunay triangulation of the perturbed sites.
+  FoundSurface run(Tetrahedra tetrahedra);
 
-  /// Instead of run(): the depth image that the sites are, with its open surface, or nothing.
-  std::optional<DepthImage> visible_surface();
+  /// Without a triangulation, instead of run(): the open surface of a depth image; nothing if the sites are
+  /// none.
+  std::optional<FoundSurface> visible_surface();
 
-  /// After either: where the open surface was seen from, all of it, if it is a depth image's
-  /// (depth_image_surface()).
-  const std::optional<Vec3>& viewpoint() const { return viewpoint_; }
-
-  /// The last resort, after run(): the tetrahedron of largest volume, and what sites it reaches. Closed
-  /// manifold of sites that encloses it; empty only if all tetrahedra are flat.
+  /// The last resort, after run(): the tetrahedron of largest volume, grown to the sites that it reaches. A
+  /// closed manifold; empty only if all tetrahedra are flat.
   Surface around_one_tetrahedron();
 
  private:
   struct Candidate {
-    Surface film;
-    SurfaceQuality quality;  ///< after insertion
-    std::int64_t inserted = 0;
-    double weak = 0;           ///< share of the sites that its first cut left off
-    std::vector<char> labels;  ///< of the tetrahedra, if it was cut
-    std::vector<double> hold;  ///< what these cost (LabelCosts)
-    double score() const;      ///< lower is better
+    Surface surface;
+    bool open = false;                ///< bridge faces are removed from the surface
+    SurfaceQuality quality;           ///< after insertion
+    std::int64_t inserted = 0;        ///< sites that joined the surface at the end, by insertion or moves
+    double missed = 0;                ///< fraction of the sites that the first cut left off
+    std::vector<char> labels;         ///< [tetrahedron]: 1 inside; empty if there was no cut
+    std::vector<double> hold;         ///< [tetrahedron]: the price of its label (LabelCosts)
+    std::optional<Vec3> viewpoint{};  ///< of a depth image
+    double score() const;             ///< lower is better
+  };
+  // The labels of several cuts by one belief.
+  struct Cuts {
+    std::vector<char> first, best;  ///< of the first that keeps most sites; of that which keeps most
+    double missed = 0;              ///< fraction of the sites that the first of all left off
+    bool has_shape = false;         ///< the best keeps at least half of the sites
+  };
+  enum class Mend {
+    Plugs,  ///< only plugs: quick
+    All,    ///< all moves
   };
 
-  void prepare(Tetrahedra tetrahedra);
-  std::vector<std::function<Surface()>> first_surfaces() const;
-  Surface film_from_outside();
-  void show(const Surface& film) const;
-  Surface evolve(Surface film, const std::vector<Vec3>& sites, int max_steps, bool weights);
-  std::vector<Vec3> with_virtual_sites(const Surface& film) const;
-  Candidate finish(Surface film);
-  Candidate cut(const std::vector<double>& belief, double conviction, bool open = false);
-  Candidate cut_sides(const RimRule& rim, const Vec3* viewpoint, bool open);
+  // Evidence.
+  std::vector<double> prepare(Tetrahedra tetrahedra);
+  std::vector<double> off_prices() const;
+  std::vector<double> carve_belief(double limit, double slope) const;
+  std::vector<double> winding_belief(const Surface& film) const;
+  std::vector<double> film_belief(const Surface& film) const;
+
+  // Labellings.
+  Candidate labelling(std::vector<double> guess);
+  Candidate cut(const std::vector<double>& belief, double conviction, bool open,
+                bool reaches_infinity = false);
+  Cuts several_cuts(const std::vector<double>& hold, bool reaches_infinity);
+  Candidate cut_sides(const RimRule& rim, const Vec3* viewpoint, bool open, bool reaches_infinity);
   Candidate cut_two_sides();
+  Candidate cut_image(const Vec3& viewpoint);
+  Candidate with_sides(Candidate best, Candidate sides);
+  Candidate closed_if_torn(Candidate open, Candidate closed);
+  Candidate by_widths(Candidate best, bool& two_sided);
+  Candidate carve_further(Candidate best, bool two_sided);
+  Candidate refined(Candidate best);
+  Candidate without_gaps(Candidate candidate, Mend mend = Mend::All);
+  Surface surface_of(const std::vector<char>& labels, bool open) const;
+  std::vector<char> exempt(const std::vector<char>& labels, bool open) const;
+
+  // Depth images.
   std::vector<Vec3> exact_places() const;
   std::optional<Vec3> given_viewpoint() const;
   std::optional<DepthImage> image_of(const std::vector<Vec3>& places);
   std::optional<DepthImage> given_view();
   bool is_better_view(const DepthImage& image, Surface found) const;
+
+  // Comparisons.
+  Candidate judged(Candidate candidate) const;
   double looseness(const SurfaceQuality& quality) const;
   double looseness_closed(const SurfaceQuality& quality) const;
   static bool has_shape(const Candidate& candidate);
-  Candidate with_sides(Candidate best, Candidate sides);
-  Candidate closed_if_torn(Candidate open, Candidate closed);
-  Candidate by_widths(Candidate best, bool& two_sided);
-  Candidate carve_further(Candidate best, bool two_sided);
-  Candidate cut_image(const Vec3& viewpoint);
-  // By plugs alone, which is quick, or by all that may help.
-  enum class Mend { Plugs, All };
-  Candidate without_gaps(Candidate candidate, Mend mend = Mend::All);
-  Surface film_of(const std::vector<char>& labels) const;
-  std::vector<char> exempt(const std::vector<char>& labels) const;
-  std::vector<double> off_prices() const;
-  std::vector<double> carve_belief(double limit, double slope) const;
-  std::vector<double> winding_belief(const Surface& film) const;
-  std::vector<double> film_belief(const Surface& film) const;
-  Candidate judged(Candidate candidate) const;
-  bool settled(const Candidate& candidate) const;
-  Candidate carve();
-  Candidate refined(Candidate best);
+  static bool settled(const Candidate& candidate);
+
+  // The paper's film.
+  std::vector<std::function<Surface()>> first_films() const;
+  Surface film_from_outside();
+  Surface evolve(Surface film, const std::vector<Vec3>& sites, int max_steps, bool weights);
+  std::vector<Vec3> with_virtual_sites(const Surface& film) const;
+  Candidate with_insertions(Surface film);
   void rounds(Candidate& best);
+  void show(const Surface& surface) const;
 
   const PointsView& points_;
   const SiteSet& sites_;
@@ -95,13 +121,11 @@ class Pipeline {
   const Options& options_;
   Monitor& monitor_;
   Report& report_;
-  bool open_;  // is the surface that is sought for allowed to be? As the options say, but while it is closed
-               // anew
+  const bool open_;  // Options::open_boundary
   PowerDiagram voronoi_;
   TetrahedralMesh mesh_;
+  // By the normals of neighbourhoods at first; refined() replaces it by the normals of its best surface.
   FacetEvidence evidence_;
-  std::optional<Vec3> viewpoint_;
-  std::vector<double> guess_;  // the belief that the signed field starts from
 };
 
 }  // namespace filmsticking

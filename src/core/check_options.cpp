@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check_options.h"
+
+#include <cmath>
+#include <vector>
+
+#include "failure.h"
+#include "geometry/triangle_adjacency.h"
+
+namespace filmsticking {
+namespace {
+
+void require(bool holds, const char* complaint) {
+  if (!holds) throw Failure(Status::InvalidOptions, complaint);
+}
+
+bool is_closed_manifold(const Mesh& mesh) {
+  for (const Point& p : mesh.positions)
+    for (double x : p)
+      if (!std::isfinite(x)) return false;
+  const std::vector<Corners> triangles(mesh.triangles.begin(), mesh.triangles.end());
+  return check_manifold(triangles, static_cast<Index>(mesh.positions.size())).ok();
+}
+
+}  // namespace
+
+void check_options(const Options& options) {
+  require(options.virtual_sites >= Options::kAdaptiveVirtualSites,
+          "the number of virtual sites must not be negative");
+  require(options.max_steps >= 1, "at least one film step is needed");
+  require(options.max_rounds >= 0, "the number of rounds must not be negative");
+  require(options.threads >= 0, "the number of threads must not be negative");
+  require(options.max_memory >= 0, "the memory allowed must not be negative");
+  if (method_of(options) != Method::Film || film_start_of(options) != FilmStart::Given) return;
+  if (!options.guiding_surface || !is_closed_manifold(*options.guiding_surface))
+    throw Failure(Status::InvalidGuidingSurface);
+}
+
+}  // namespace filmsticking
