@@ -8,20 +8,19 @@
 
 namespace filmsticking {
 
-/// The caller's hand on a running reconstruction. All members are optional. Where one of the functions
-/// throws, the reconstruction ends with Status::Cancelled and says what was thrown (std::bad_alloc:
-/// OutOfMemory).
+/// Callbacks of a running reconstruction and a request to stop it. All members are optional. If a callback
+/// throws, the reconstruction ends with Status::Cancelled and the message of the exception; std::bad_alloc
+/// ends it with Status::OutOfMemory.
 struct Execution {
-  /// Called from the calling thread with the share done, 0 to 1 and never falling, and the room at work.
-  std::function<void(double share, const char* room)> progress;
+  /// Called from the calling thread with the fraction done, 0 to 1 and never falling, and the current stage.
+  std::function<void(double share, const char* stage)> progress;
 
-  /// Set it from any thread: the reconstruction ends soon with Status::Cancelled. Most long loops look at it;
-  /// the neighbour search, the search for a viewpoint, the local evidence and a step of an evolving film are
-  /// ended first.
+  /// Set to true from any thread: the reconstruction ends soon with Status::Cancelled. Most long loops check
+  /// it. The neighbour search, the search for a viewpoint, the local evidence and a film step finish first.
   const std::atomic<bool>* cancel = nullptr;
 
-  /// Called with the film after every step (0: the initial surface), in the caller's coordinates. A carved
-  /// film is one step, and an open depth image none.
+  /// Called after every film step with the film, in the caller's coordinates; step 0: the surface it starts
+  /// from. Method::Labelling calls it once with its surface, never for an open depth image.
   std::function<void(int step, const Mesh& film)> on_step;
 };
 

@@ -23,7 +23,7 @@ enum class FilmStart {
   Given,   ///< `Options::guiding_surface`
 };
 
-/// The former name of Method and FilmStart in one; goes with version 0.3.
+/// Deprecated: the former name of Method and FilmStart in one. Removed in version 0.3.
 enum class InitialSurface {
   Sphere,  ///< Method::Film from FilmStart::Sphere
   Wrap,    ///< Method::Film from FilmStart::Wrap
@@ -31,11 +31,11 @@ enum class InitialSurface {
   Given,   ///< Method::Film from FilmStart::Given
 };
 
-/// How dangling plates are removed and the topology is corrected (paper, section 5).
+/// How a film loses its dangling plates and its topology is corrected (paper, section 5).
 enum class FieldMethod {
   None,     ///< the film is the result
   Poisson,  ///< Poisson's equation on the film's normals: the paper's choice
-  Sculpt,   ///< winding number of the film, then a minimum cut through the Delaunay tetrahedra
+  Sculpt,   ///< the film's winding number, then a minimum cut of the Delaunay tetrahedra
 };
 
 /// Which ring of triangles a site keeps when it owns several regions of the film (paper, section 4.4).
@@ -44,7 +44,8 @@ enum class RingChoice {
   Nearest,  ///< the ring of the region nearest to the site: RD (Wang et al. 2022)
 };
 
-/// Everything that can be chosen. The defaults need no tuning; `paper()` runs the paper's own pipeline.
+/// All options. The defaults need no tuning; `paper()` chooses the paper's own pipeline. Most callers need
+/// `open_boundary`, `viewpoint`, `threads` and `max_memory`; the others compare methods.
 struct Options {
   Method method = Method::Labelling;         ///< what makes the surface
   FilmStart film_start = FilmStart::Sphere;  ///< where a film starts
@@ -56,61 +57,56 @@ struct Options {
   /// For `virtual_sites`: one per local scale.
   static constexpr int kAdaptiveVirtualSites = -1;
 
-  /// Virtual sites (paper, section 4.3): how many (0: none), or kAdaptiveVirtualSites. They join when the
-  /// film from a sphere, a wrap or a given surface stalls, where it has not reached; a carved film needs
-  /// none.
+  /// Virtual sites (paper, section 4.3) of Method::Film: their number, 0 for none, or kAdaptiveVirtualSites.
+  /// They join once the film stalls, in cavities that it has not reached.
   int virtual_sites = kAdaptiveVirtualSites;
 
-  /// Attract stalled sites by weights (restricted power diagram); false: Voronoi only.
+  /// Method::Film: attract sites off a stalled film by weights (restricted power diagram). False: Voronoi
+  /// only.
   bool weights = true;
 
-  /// Bring on the sites that are still off: a carved surface by relabelling tetrahedra beside them, a film by
-  /// splitting its nearest face where that is clean.
+  /// Insert the sites that are off the surface at the end. Method::Labelling relabels tetrahedra beside them;
+  /// Method::Film splits the nearest face, where that is clean.
   bool insert_leftover = true;
 
-  /// Leave out the faces that no data supports (see Result::gaps): the result is a manifold with boundary
-  /// then, the visible surface of a scan from one side, say. A cloud from all sides stays closed. Pieces with
-  /// a boundary face one viewpoint, where there is one: from its convex side.
+  /// Allow a boundary: remove faces that no data support (see Result::gaps). The result is then a manifold
+  /// with or without boundary, such as the visible surface of a scan from one side. A cloud sampled from all
+  /// sides stays closed. The open components of a scan from one side show the same side to one viewpoint: the
+  /// sensor of a depth image, else the side on which the largest component is convex.
   bool open_boundary = false;
 
-  /// Where the points may have been seen from, in their own unit and frame: a sensor's place. A depth image
-  /// (every point alone on its line of sight, apart from the others as pixels are) gives the surface that
-  /// shows all its faces to its viewpoint if it is to be open, and else what is behind it. Mostly the points
-  /// themselves say where that is; where they do not, as they are thinned or noisy, this is tried. Of points
-  /// that cannot all be seen from there, or are as well understood without, and with another
-  /// method than Labelling, it changes nothing.
+  /// Sensor position, in the unit and frame of the points. Used only if the points do not reveal it, as in
+  /// thinned or noisy depth images, and if the surface seen from it is better. In a depth image every point
+  /// is alone on its line of sight: an open result shows the front of all its faces to the viewpoint; for a
+  /// closed one, everything behind the image is inside. Ignored unless the method is Labelling.
   std::optional<Point> viewpoint;
 
-  /// Bring on outliers, too: points far from all others that are no part of a surface. They are left off
-  /// otherwise.
+  /// Keep outliers: points far from all others, on no surface. False: they are left out.
   bool keep_outliers = false;
 
-  /// Flip edges of the finished surface where that lays them along the shape's sharp edges and the bends of
-  /// its curved parts. Vertices, topology and what intersects stay as they are; a noisy surface stays nearly
-  /// so.
+  /// Flip edges of the finished surface so that they lie along sharp edges and the bends of curved parts.
+  /// Vertices and topology stay, and no flip makes faces intersect. A noisy surface has few flips.
   bool sharp_edges = true;
 
-  /// Film steps allowed in one evolution of the film before the first field; at least 1.
+  /// Most steps of one evolution of the film, before the first field; at least 1.
   int max_steps = 60;
 
-  /// Rounds of field and film, 0 or more; they end sooner when nothing gets better. A carved surface is not
-  /// improved by them (measured) and has none.
+  /// Most rounds of field and cut of Method::Film, 0 or more. They end once a round improves nothing.
   int max_rounds = 6;
 
-  /// Threads; 0: all that the machine has. The result is the same for every number.
+  /// Number of threads; 0: all of the machine. The result does not depend on it.
   int threads = 0;
 
-  /// Bytes that a reconstruction may take, beside the points handed in; 0: no limit. What it needs is
-  /// estimated (from above, for a carved surface) before it is taken; one that needs more ends with
-  /// Status::OutOfMemory.
+  /// Most memory in bytes, without the caller's points; 0: no limit. A reconstruction that needs more ends
+  /// with Status::OutOfMemory. The need is estimated beforehand, from above for Method::Labelling.
   std::int64_t max_memory = 0;
 
   /// A closed oriented 2-manifold, for FilmStart::Given.
   std::shared_ptr<const Mesh> guiding_surface;
 
-  /// The paper's pipeline: sphere, 1000 virtual sites, weights, one Poisson round, nothing inserted, no edge
-  /// flipped. One thing differs: the virtual sites join at the first stall, since from the start they pull
-  /// the film through the shape.
+  /// The paper's pipeline: sphere, 1000 virtual sites, weights, one Poisson round, no insertion, no flips.
+  /// One difference: virtual sites join at the first stall. From the first step they would pull the film
+  /// through the shape.
   FILMSTICKING_EXPORT static Options paper();
 };
 

@@ -13,45 +13,46 @@ struct StepRecord {
   std::int64_t attracted = 0;     ///< points on the film after the step
   std::int64_t virtual_left = 0;  ///< virtual sites not yet attracted
   std::int64_t weighted = 0;      ///< points that were given a weight in this step
-  /// Surplus regions removed, double edges resolved, thin regions dropped: a film that is on its way meets
-  /// cells more than once. Films at rest on an even surface have none; a film whose sites have nearly all
-  /// several regions is a double skin, and is given up for another.
+  /// Surplus regions removed, double edges resolved, thin regions dropped. A moving film meets cells more
+  /// than once. A film at rest on an evenly sampled surface needs no repair. If nearly all sites own several
+  /// regions, the film is a double skin, and the next film start is tried.
   std::int64_t regions_repaired = 0;
   double seconds = 0;  ///< wall time
 };
 
-/// Wall time spent in one room of the pipeline.
+/// Wall time of one stage.
 struct RoomSeconds {
-  std::string room;    ///< its name, as a progress callback is told it
-  double seconds = 0;  ///< in all visits together
+  std::string room;    ///< name of the stage, as in Execution::progress
+  double seconds = 0;  ///< in all its visits
 };
 
-/// What a reconstruction did; filled as far as it got, whatever the status.
+/// What a reconstruction did. After a failure, filled up to it.
 struct Report {
-  std::int64_t points = 0;        ///< points handed in
+  std::int64_t points = 0;        ///< input points
   std::int64_t sites = 0;         ///< distinct finite points
-  std::int64_t non_finite = 0;    ///< points left out because a coordinate is NaN or infinite
-  std::int64_t duplicates = 0;    ///< points left out because an equal one came before
+  std::int64_t non_finite = 0;    ///< points skipped: a coordinate is NaN or infinite
+  std::int64_t duplicates = 0;    ///< points skipped: equal to an earlier one
   std::int64_t interpolated = 0;  ///< sites that are vertices of the result
-  /// Sites left off because no others are near (see Options::keep_outliers): at most a third, where more look
-  /// like outliers none is. None of an evenly sampled surface.
+  /// Sites left out because no others are near (Options::keep_outliers). At most a third of the sites: if
+  /// more look like outliers, none is left out. None on an evenly sampled surface.
   std::int64_t outliers = 0;
-  std::int64_t tetrahedra = 0;  ///< of the sites' Delaunay triangulation; 0: an open depth image needs none
-  /// Times that a site was brought on to the surface by itself at the end, which the cut or the film had left
-  /// off: one in hundreds on clean clouds, many of thin walls and noise.
+  std::int64_t tetrahedra =
+      0;  ///< of the Delaunay triangulation; 0 for an open depth image, which needs none
+  /// Insertions of single sites that the cut or the film had missed: one in hundreds of sites of a clean
+  /// cloud, many for thin walls and noise.
   std::int64_t inserted = 0;
-  /// Edges flipped to lie along sharp edges and bends; Options::sharp_edges.
+  /// Edges flipped along sharp edges and bends (Options::sharp_edges).
   std::int64_t flips = 0;
   std::int64_t triangles = 0;       ///< of the result
-  std::int64_t components = 0;      ///< connected pieces of the result
+  std::int64_t components = 0;      ///< of the result
   std::int64_t genus = 0;           ///< sum over the components
-  std::int64_t boundary_edges = 0;  ///< with one face; none unless an open surface was asked for
-  std::int64_t boundary_loops = 0;  ///< closed loops of such edges
-  int rounds = 0;                   ///< rounds of field and film
+  std::int64_t boundary_edges = 0;  ///< edges with one face; 0 unless Options::open_boundary
+  std::int64_t boundary_loops = 0;  ///< loops of such edges
+  int rounds = 0;                   ///< rounds of field and cut
   bool closed = false;              ///< checked on the result: every edge has two faces
   bool manifold = false;            ///< checked on the result: oriented, every vertex has one ring or fan
-  std::vector<StepRecord> steps;    ///< one a film step, in order
-  std::vector<RoomSeconds> rooms;   ///< in the order in which they were first entered
+  std::vector<StepRecord> steps;    ///< one per film step, in order
+  std::vector<RoomSeconds> rooms;   ///< time per stage, in the order of first entry
   double seconds = 0;               ///< wall time of the whole reconstruction
 };
 

@@ -5,19 +5,19 @@
 
 namespace filmsticking {
 
-/// How a reconstruction ended. Everything but `Ok` comes with an empty mesh.
+/// How a reconstruction ended. The mesh is empty unless the status is Ok.
 enum class Status {
-  Ok,                     ///< a closed, oriented 2-manifold was made
+  Ok,                     ///< the mesh keeps all guarantees of reconstruct()
   TooFewPoints,           ///< fewer than four distinct finite points
   Coplanar,               ///< all points lie on one line or plane
-  InvalidInput,           ///< no cloud, or one that cannot be read, or indices that are not in it
+  InvalidInput,           ///< no cloud, an unreadable one, or indices outside it
   InvalidOptions,         ///< an option is out of its range
   InvalidGuidingSurface,  ///< the given guiding surface is not a closed oriented 2-manifold
   NoSurface,              ///< no closed surface through the points was found
-  TooComplex,             ///< the points' Delaunay triangulation is out of proportion to their number
-  Cancelled,              ///< the caller asked to stop, or a function of the caller's threw
-  OutOfMemory,            ///< an allocation failed, or more than Options::max_memory would be needed
-  InternalError,          ///< a broken promise inside; please report it
+  TooComplex,             ///< the Delaunay triangulation is too large for the number of points
+  Cancelled,              ///< the caller asked to stop, or a callback threw
+  OutOfMemory,            ///< an allocation failed, or Options::max_memory is too small
+  InternalError,          ///< a bug; please report it
 };
 
 /// One lower-case sentence without a full stop; never null.

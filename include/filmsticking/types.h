@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The plain types that cross the library's border.
+// The plain types of the public interface.
 #pragma once
 
 #include <array>
@@ -13,19 +13,20 @@ namespace filmsticking {
 /// A position: x, y, z in the caller's unit.
 using Point = std::array<double, 3>;
 
-/// Points where they lie, in a caller's array of any stride, or some of them by index: nothing is copied.
-/// Holds pointers, so what it was made of must outlive it unchanged.
+/// A view of points in a caller's array of any stride, or of some of them by index. Copies nothing, so the
+/// array and the indices must outlive it unchanged.
 class PointsView {
  public:
-  /// All of a vector: a vector is a view of itself.
+  /// All points of a vector; implicit, so that a vector can be passed as a view.
   PointsView(const std::vector<Point>& points)
       : first_(reinterpret_cast<const char*>(points.data())), stride_(sizeof(Point)), size_(points.size()) {}
 
-  /// `size` points, each of three floats x, y, z in a row, `stride` bytes from the one before.
+  /// `size` points of three consecutive floats x, y, z, each `stride` bytes after the one before.
   PointsView(const float* first, std::size_t stride, std::size_t size)
       : first_(reinterpret_cast<const char*>(first)), stride_(stride), size_(size), floats_(true) {}
 
-  /// Point i is point ids[i] of this view; each must be one of its points. Not more than twice.
+  /// The view whose point i is point ids[i] of this view; ids must be below size(). Can be applied twice at
+  /// most.
   PointsView at(const std::vector<std::int32_t>& ids) const {
     PointsView some = *this;
     some.inner_ids_ = ids_, some.ids_ = ids.data(), some.size_ = ids.size();
@@ -35,11 +36,11 @@ class PointsView {
   std::size_t size() const { return size_; }  ///< how many points
   bool empty() const { return size_ == 0; }   ///< is there none?
 
-  /// Point i, less than size(); floats become doubles, which changes no number.
+  /// Point i; i < size(). Floats are converted to doubles exactly.
   Point operator[](std::size_t i) const {
     if (ids_ != nullptr) i = static_cast<std::size_t>(ids_[i]);
     if (inner_ids_ != nullptr) i = static_cast<std::size_t>(inner_ids_[i]);
-    const char* place = first_ + i * stride_;  // its bytes: a stride need not be a multiple of a number's
+    const char* place = first_ + i * stride_;  // by bytes: a stride may be any number of them
     if (floats_) {
       std::array<float, 3> p;
       std::memcpy(p.data(), place, sizeof p);
@@ -54,8 +55,8 @@ class PointsView {
   const char* first_;
   std::size_t stride_;
   std::size_t size_;
-  const std::int32_t* ids_ = nullptr;        // or null: all, as they come
-  const std::int32_t* inner_ids_ = nullptr;  // of the view that this is some of
+  const std::int32_t* ids_ = nullptr;        // null: all, in order
+  const std::int32_t* inner_ids_ = nullptr;  // ids of the view that at() was called on
   bool floats_ = false;
 };
 

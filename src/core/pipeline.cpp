@@ -464,10 +464,10 @@ Pipeline::Candidate Pipeline::cut_two_sides() {
   monitor_.enter("two sides", monitor_.share());
   const Vec3 viewpoint = common_viewpoint(best.surface);
   const bool one_view =
-      !best.surface.triangles.empty() && seen_once(best.surface, viewpoint, monitor_.cancel());
+      !best.surface.triangles.empty() && is_seen_once(best.surface, viewpoint, monitor_.cancel());
   next = by_rule(kThirdRim, one_view ? &viewpoint : nullptr);
   const auto price = [&](const Candidate& sides) {
-    return sides.score() + (one_view ? kTurnedPrice * turned_away(sides.surface, viewpoint) : 0);
+    return sides.score() + (one_view ? kTurnedPrice * turned_away_share(sides.surface, viewpoint) : 0);
   };
   return price(next) < price(best) ? std::move(next) : std::move(best);
 }
@@ -510,7 +510,7 @@ bool Pipeline::is_better_view(const DepthImage& image, Surface found) const {
   Candidate open;
   open.surface = std::move(found);
   remove_bridges(open.surface, geometry_);
-  if (crossed_oddly(open.surface, image.viewpoint, monitor_.cancel()) < kSeenOpen) return false;
+  if (odd_crossing_share(open.surface, image.viewpoint, monitor_.cancel()) < kSeenOpen) return false;
   const SurfaceQuality other = judged(std::move(open)).quality;
   const double off = static_cast<double>(std::max<std::int64_t>(0, image.quality.off - other.off));
   return off <= kFewMissed * static_cast<double>(sites_.size()) &&

@@ -415,7 +415,7 @@ Surface squares(const std::vector<std::pair<Vec3, bool>>& places, double side) {
 }
 
 Index turned(Surface& film) {
-  return face_viewpoint(film, SurfaceTopology(film.triangles, static_cast<Index>(film.positions.size())));
+  return turn_to_viewpoint(film, SurfaceTopology(film.triangles, static_cast<Index>(film.positions.size())));
 }
 
 TEST(Viewpoint, SeesTheFrontsOfAllPieces) {
@@ -454,8 +454,8 @@ TEST(Viewpoint, IsInViewOfAllThatCanBeSeenWhicheverWayItIsTurned) {
     }
     const Surface film = film_of(std::move(positions), std::move(triangles));
     const Vec3 eye = common_viewpoint(film);
-    EXPECT_TRUE(seen_once(film, eye));
-    EXPECT_NEAR(turned_away(film, eye), some_turned ? 0.5 : 0, 1e-9);
+    EXPECT_TRUE(is_seen_once(film, eye));
+    EXPECT_NEAR(turned_away_share(film, eye), some_turned ? 0.5 : 0, 1e-9);
     // From before all three or from behind them.
     std::size_t before = 0;
     for (std::size_t t = 0; t < outward.size(); ++t)
@@ -483,27 +483,27 @@ TEST(Viewpoint, Regression_ABoxShowsItsOutside) {
 
 TEST(Viewpoint, SeesABallTwiceAndHalfOfItOnce) {
   const Surface ball = bounding_sphere({Vec3(0.5, 0.5, 0.5)});
-  EXPECT_FALSE(seen_once(ball, common_viewpoint(ball)));
-  EXPECT_FALSE(seen_once(ball, Vec3(0, 0, 9)));
+  EXPECT_FALSE(is_seen_once(ball, common_viewpoint(ball)));
+  EXPECT_FALSE(is_seen_once(ball, Vec3(0, 0, 9)));
   Surface half = ball;
   half.triangles.clear();
   for (const Corners& t : ball.triangles)
     if ((ball.positions[t[0]] + ball.positions[t[1]] + ball.positions[t[2]]).z() > 0)
       half.triangles.push_back(t);
-  EXPECT_TRUE(seen_once(half, Vec3(0, 0, 9)));
-  EXPECT_FALSE(seen_once(half, Vec3(9, 0, 0)));
-  EXPECT_LE(crossed_oddly(ball, Vec3(0, 0, 9)), 0.01);  // a line may meet a vertex
-  EXPECT_GE(crossed_oddly(half, Vec3(0, 0, 9)), 0.8);   // and the rim goes to and fro
-  EXPECT_NEAR(turned_away(half, Vec3(0, 0, 99)), 0, 0.02);
-  EXPECT_NEAR(turned_away(half, Vec3(99, 0, 0)), 0.5, 0.02);
+  EXPECT_TRUE(is_seen_once(half, Vec3(0, 0, 9)));
+  EXPECT_FALSE(is_seen_once(half, Vec3(9, 0, 0)));
+  EXPECT_LE(odd_crossing_share(ball, Vec3(0, 0, 9)), 0.01);  // a line may meet a vertex
+  EXPECT_GE(odd_crossing_share(half, Vec3(0, 0, 9)), 0.8);   // and the rim goes to and fro
+  EXPECT_NEAR(turned_away_share(half, Vec3(0, 0, 99)), 0, 0.02);
+  EXPECT_NEAR(turned_away_share(half, Vec3(99, 0, 0)), 0.5, 0.02);
 }
 
 TEST(Viewpoint, OfNothingIsNoMatter) {
   const Surface none;
   EXPECT_TRUE(common_viewpoint(none).allFinite());
-  EXPECT_TRUE(seen_once(none, Vec3::Zero()));
-  EXPECT_EQ(crossed_oddly(none, Vec3::Zero()), 0);
-  EXPECT_EQ(turned_away(none, Vec3::Zero()), 0);
+  EXPECT_TRUE(is_seen_once(none, Vec3::Zero()));
+  EXPECT_EQ(odd_crossing_share(none, Vec3::Zero()), 0);
+  EXPECT_EQ(turned_away_share(none, Vec3::Zero()), 0);
 }
 
 // All sides of a ball but a part of one: no point sees them.

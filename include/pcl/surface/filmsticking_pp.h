@@ -25,10 +25,10 @@ namespace pcl {
 
 /** \brief Closed, manifold surface through the points of a cloud without normals (Filmsticking++).
  *
- * Every vertex of the result is a point of the input, copied with all its fields; getVertexIndices() says
- * which. The surface is closed, 2-manifold and wound counter-clockwise seen from outside. Points with a
+ * Every vertex of the result is an input point, copied with all its fields; getVertexIndices() gives its
+ * index. The surface is closed, 2-manifold and wound counter-clockwise seen from outside. Points with a
  * coordinate that is not finite, repeated points and outliers (setKeepOutliers()) are left out. Normals are
- * copied like any other field and not read. No parameter has to be set:
+ * copied like any other field and not used. No parameter has to be set:
  *
  * \code
  * pcl::FilmstickingPP<pcl::PointXYZ> filmsticking;
@@ -38,14 +38,14 @@ namespace pcl {
  * if (filmsticking.getStatus() != filmsticking::Status::Ok) { ... }  // the mesh is empty then
  * \endcode
  *
- * reconstruct() never throws: it answers any input with a mesh, or with an empty one, a status and one
- * line of PCL_ERROR. Fewer than four distinct points, and points on one line or plane, enclose nothing and
- * are refused. The same input gives the same mesh for any number of threads, in a new object as in one that
- * was used before, and different objects may run in different threads at once. The method needs no
- * neighbour search of the input: a search method, if one is set, is kept and not used.
+ * reconstruct() never throws. It answers any input with a mesh, or with an empty one, a status and one line
+ * of PCL_ERROR. Fewer than four distinct points, and points on one line or plane, enclose no volume and are
+ * refused. The same input gives the same mesh, for any number of threads and in any object. Different objects
+ * may run in different threads at once. The method does not search the input's neighbours: a search method,
+ * if set, is kept and not used.
  *
- * In place of pcl::GreedyProjectionTriangulation or pcl::Poisson, through pcl::PCLSurfaceBase, only the
- * constructor changes. Unlike the former's, the mesh has a cloud of its vertices only.
+ * To replace pcl::GreedyProjectionTriangulation or pcl::Poisson through pcl::PCLSurfaceBase, change the
+ * constructor only. Unlike the former's, the mesh contains only the vertices of its faces.
  *
  * Method: Wang et al., "Filmsticking++", arXiv 2602.11433. For a point type of your own, define
  * PCL_NO_PRECOMPILE before the first include, or include pcl/surface/impl/filmsticking_pp.hpp.
@@ -65,15 +65,15 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
 
   using Method = filmsticking::Method;                  ///< What makes the surface.
   using FilmStart = filmsticking::FilmStart;            ///< Where a film starts.
-  using InitialSurface = filmsticking::InitialSurface;  ///< The former name of both; goes with version 0.3.
-  using FieldMethod = filmsticking::FieldMethod;        ///< What corrects the film's topology.
-  using RingChoice = filmsticking::RingChoice;          ///< Which region of several a site keeps.
-  using Options = filmsticking::Options;                ///< All that can be chosen.
+  using InitialSurface = filmsticking::InitialSurface;  ///< Deprecated; removed in version 0.3.
+  using FieldMethod = filmsticking::FieldMethod;        ///< What corrects a film's topology.
+  using RingChoice = filmsticking::RingChoice;          ///< Which of several regions a site keeps.
+  using Options = filmsticking::Options;                ///< All options.
   using Status = filmsticking::Status;                  ///< How a reconstruction ended.
   using Report = filmsticking::Report;                  ///< What a reconstruction did.
 
-  /** \brief Told the share done, from 0 to 1, and the part of the method at work. */
-  using ProgressCallback = std::function<void(double share, const char* room)>;
+  /** \brief Receives the fraction done, from 0 to 1, and the current stage. */
+  using ProgressCallback = std::function<void(double share, const char* stage)>;
 
   using SurfaceReconstruction<PointInT>::input_;
   using SurfaceReconstruction<PointInT>::indices_;
@@ -84,7 +84,7 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   /** \brief Destructor. */
   ~FilmstickingPP() override = default;
 
-  /** \brief Set the input cloud; one set by setInputBlob() is forgotten.
+  /** \brief Set the input cloud; replaces one set by setInputBlob().
    * \param[in] cloud the points, with or without normals, organized or not, dense or not
    */
   void setInputCloud(const PointCloudConstPtr& cloud) override;
@@ -101,21 +101,18 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   /** \brief Get the input set by setInputBlob(); null if the input was set otherwise. */
   pcl::PCLPointCloud2::ConstPtr getInputBlob() const { return blob_; }
 
-  /** \brief Set the points to use; null stands for all points. */
+  /** \brief Set the points to use; null: all points. */
   void setIndices(const pcl::IndicesPtr& indices) override;
 
-  /** \brief Set the points to use; null stands for all points. The indices are copied. */
+  /** \brief Set the points to use; null: all points. The indices are copied. */
   void setIndices(const pcl::IndicesConstPtr& indices) override;
 
-  /** \brief Set the points to use; null stands for all points. The indices are copied. */
+  /** \brief Set the points to use; null: all points. The indices are copied. */
   void setIndices(const PointIndicesConstPtr& indices) override;
 
-  /** \brief Use a window of an organized cloud. A window that is not in the cloud is refused by
-   * reconstruct(). The input cloud has to be set before.
-   * \param[in] row_start first row
-   * \param[in] col_start first column
-   * \param[in] nb_rows number of rows
-   * \param[in] nb_cols number of columns
+  /** \brief Use a window of an organized cloud. Set the input cloud before. reconstruct() refuses a window
+   * that is not in the cloud. \param[in] row_start first row \param[in] col_start first column \param[in]
+   * nb_rows number of rows \param[in] nb_cols number of columns
    */
   void setIndices(std::size_t row_start, std::size_t col_start, std::size_t nb_rows,
                   std::size_t nb_cols) override;
@@ -132,24 +129,127 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
    */
   void reconstruct(pcl::PointCloud<PointInT>& points, std::vector<pcl::Vertices>& polygons) override;
 
-  /** \brief Stop the reconstruction that is running, from any thread: it ends soon with Status::Cancelled.
-   * Without a running reconstruction it does nothing.
+  /** \brief Set a function that reconstruct() calls from its own thread with the fraction done, 0 to 1 and
+   * never falling, and the current stage.
+   */
+  void setProgressCallback(const ProgressCallback& callback) { progress_callback_ = callback; }
+
+  /** \brief Stop the running reconstruction, from any thread: it ends soon with Status::Cancelled. No effect
+   * if none is running.
    */
   void cancel() { cancel_.raised = true; }
 
   /** \brief How the last reconstruct() ended; InternalError before the first. */
   Status getStatus() const { return status_; }
 
-  /** \brief One sentence about the failure of the last reconstruct(); empty when it succeeded. */
+  /** \brief One sentence on the failure of the last reconstruct(); empty if it succeeded. */
   const std::string& getStatusMessage() const { return status_message_; }
 
-  /** \brief What the last reconstruct() did, as far as it got. */
+  /** \brief What the last reconstruct() did, up to a failure. */
   const Report& getReport() const { return report_; }
 
   /** \brief The input point of each output vertex.
    * \return for vertex k its index in the input cloud (also when setIndices() was used); empty on failure
    */
   const pcl::Indices& getVertexIndices() const { return vertex_indices_; }
+
+  /** \brief The gap that each output triangle bridges: the diameter of its smallest enclosing circle, in
+   * spacings of the points there. About 1.5 where the points are dense enough for the surface; large where it
+   * was closed without data. Empty on failure.
+   */
+  const std::vector<float>& getFaceGaps() const { return face_gaps_; }
+
+  /** \name Options that most callers need
+   * With setInputCloud(), the three setters here are enough for nearly all. */
+  ///@{
+
+  /** \brief Set whether the result may have a boundary: faces that no data support are removed.
+   *
+   * A scan from one side gives its visible surface, a manifold with boundary. A cloud sampled from all sides
+   * stays closed. The open components of a scan show the same side to one viewpoint: the sensor of a depth
+   * image, else the side on which the largest component is convex. Off by default. See getFaceGaps().
+   */
+  void setOutputBoundary(bool output_boundary) { options_.open_boundary = output_boundary; }
+
+  /** \brief Get whether the result may have a boundary. */
+  bool getOutputBoundary() const { return options_.open_boundary; }
+
+  /** \brief Set the sensor position, instead of the sensor origin of the cloud.
+   *
+   * Used only if the points do not reveal it, as in thinned or noisy depth images, and if the surface seen
+   * from it is better. With setOutputBoundary() all faces of a depth image show their fronts to the sensor;
+   * else everything behind the image is inside.
+   */
+  void setViewPoint(float vpx, float vpy, float vpz) { options_.viewpoint = {vpx, vpy, vpz}; }
+
+  /** \brief Use the sensor origin of the input cloud as the viewpoint, the default; a blob's is the origin of
+   * its frame. */
+  void useSensorOriginAsViewPoint() { options_.viewpoint.reset(); }
+
+  /** \brief Get the viewpoint. */
+  void getViewPoint(float& vpx, float& vpy, float& vpz) const {
+    const filmsticking::Point point = viewPoint();
+    vpx = static_cast<float>(point[0]), vpy = static_cast<float>(point[1]),
+    vpz = static_cast<float>(point[2]);
+  }
+
+  /** \brief Set the number of threads; 0, the default: all of the machine. The result does not depend on it.
+   */
+  void setNumberOfThreads(int threads = 0) { options_.threads = threads; }
+
+  /** \brief Get the number of threads; 0: all of the machine. */
+  int getNumberOfThreads() const { return options_.threads; }
+
+  ///@}
+
+  /** \name All options at once */
+  ///@{
+
+  /** \brief Set all options, for example Options::paper(). */
+  void setOptions(const Options& options) { options_ = options; }
+
+  /** \brief Get all options. */
+  const Options& getOptions() const { return options_; }
+
+  ///@}
+
+  /** \name Further options */
+  ///@{
+
+  /** \brief Set the most memory in bytes, without the input; 0, the default: no limit. A reconstruction that
+   * needs more, by an estimate, ends with Status::OutOfMemory.
+   */
+  void setMaxMemory(std::int64_t max_memory) { options_.max_memory = max_memory; }
+
+  /** \brief Get the most memory in bytes. */
+  std::int64_t getMaxMemory() const { return options_.max_memory; }
+
+  /** \brief Set whether outliers, points far from all others, are kept. Off by default; Report::outliers
+   * counts those left out.
+   */
+  void setKeepOutliers(bool keep_outliers) { options_.keep_outliers = keep_outliers; }
+
+  /** \brief Get whether outliers are kept. */
+  bool getKeepOutliers() const { return options_.keep_outliers; }
+
+  /** \brief Set whether edges of the finished surface are flipped to lie along sharp edges. On by default;
+   * the vertices are the same either way.
+   */
+  void setSharpEdges(bool sharp_edges) { options_.sharp_edges = sharp_edges; }
+
+  /** \brief Get whether edges are flipped to lie along sharp edges. */
+  bool getSharpEdges() const { return options_.sharp_edges; }
+
+  /** \brief Set whether points that the surface misses are inserted at the end. On by default. */
+  void setInsertLeftover(bool insert_leftover) { options_.insert_leftover = insert_leftover; }
+
+  /** \brief Get whether points that the surface misses are inserted at the end. */
+  bool getInsertLeftover() const { return options_.insert_leftover; }
+
+  ///@}
+
+  /** \name Options for comparisons with the paper */
+  ///@{
 
   /** \brief Set what makes the surface: labelled tetrahedra (the default), or the paper's film. */
   void setMethod(Method method) {
@@ -160,7 +260,7 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   /** \brief Get what makes the surface. */
   Method getMethod() const { return filmsticking::method_of(options_); }
 
-  /** \brief Set the surface that a film starts from, and Method::Film with it. */
+  /** \brief Set the surface that a film starts from, and Method::Film. */
   void setFilmStart(FilmStart start) {
     setMethod(Method::Film);
     options_.film_start = start;
@@ -179,16 +279,16 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
     return options_.initial_surface;
   }
 
-  /** \brief Set how dangling plates are removed and the topology is corrected. */
+  /** \brief Set how a film loses its dangling plates and its topology is corrected. */
   void setFieldMethod(FieldMethod field) { options_.field = field; }
 
-  /** \brief Get how dangling plates are removed and the topology is corrected. */
+  /** \brief Get how a film loses its dangling plates and its topology is corrected. */
   FieldMethod getFieldMethod() const { return options_.field; }
 
-  /** \brief Set which ring of triangles a site keeps when it owns several regions of the film. */
+  /** \brief Set which ring of triangles a site keeps if it owns several regions of the film. */
   void setRingChoice(RingChoice ring) { options_.ring = ring; }
 
-  /** \brief Get which ring of triangles a site keeps when it owns several regions of the film. */
+  /** \brief Get which ring of triangles a site keeps if it owns several regions of the film. */
   RingChoice getRingChoice() const { return options_.ring; }
 
   /** \brief Set the number of virtual sites, or Options::kAdaptiveVirtualSites. */
@@ -197,140 +297,59 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   /** \brief Get the number of virtual sites. */
   int getVirtualSites() const { return options_.virtual_sites; }
 
-  /** \brief Set whether stalled sites are attracted by weights. */
+  /** \brief Set whether weights attract sites off a stalled film. */
   void setUseWeights(bool use_weights) { options_.weights = use_weights; }
 
-  /** \brief Get whether stalled sites are attracted by weights. */
+  /** \brief Get whether weights attract sites off a stalled film. */
   bool getUseWeights() const { return options_.weights; }
 
-  /** \brief Set whether the sites that the film does not reach are put into its nearest face. */
-  void setInsertLeftover(bool insert_leftover) { options_.insert_leftover = insert_leftover; }
-
-  /** \brief Get whether the sites that the film does not reach are put into its nearest face. */
-  bool getInsertLeftover() const { return options_.insert_leftover; }
-
-  /** \brief Set whether the faces that no data supports are left out: of a scan
-   * from one side the visible surface is left, a manifold with boundary, whose pieces face one viewpoint
-   * on the convex side of the largest, where one sees that, or that of a depth image. A cloud from all sides
-   * stays closed. Off by default. See getFaceGaps().
-   */
-  void setOutputBoundary(bool output_boundary) { options_.open_boundary = output_boundary; }
-
-  /** \brief Get whether the faces that no data supports are left out. */
-  bool getOutputBoundary() const { return options_.open_boundary; }
-
-  /** \brief Set where the points may have been seen from, in place of the cloud's sensor origin.
-   *
-   * A depth image (an organized cloud of a depth camera, or all that is left of one) gives the surface that
-   * shows all its faces to its viewpoint with setOutputBoundary(), and else what is behind it. Mostly the
-   * points themselves say where that is; where they do not, as they are thinned or noisy, this is tried. Of
-   * points that cannot all be seen from there, or are as well understood without, it changes nothing.
-   */
-  void setViewPoint(float vpx, float vpy, float vpz) { options_.viewpoint = {vpx, vpy, vpz}; }
-
-  /** \brief Try the sensor origin of the input cloud as the viewpoint, that of a blob being the origin: the
-   * default. */
-  void useSensorOriginAsViewPoint() { options_.viewpoint.reset(); }
-
-  /** \brief Get the viewpoint that is tried. */
-  void getViewPoint(float& vpx, float& vpy, float& vpz) const {
-    const filmsticking::Point point = viewPoint();
-    vpx = static_cast<float>(point[0]), vpy = static_cast<float>(point[1]),
-    vpz = static_cast<float>(point[2]);
-  }
-
-  /** \brief Set whether outliers, points far from all others, are brought on to the surface, too. Off by
-   * default; Report::outliers tells how many were left off.
-   */
-  void setKeepOutliers(bool keep_outliers) { options_.keep_outliers = keep_outliers; }
-
-  /** \brief Get whether outliers are brought on to the surface. */
-  bool getKeepOutliers() const { return options_.keep_outliers; }
-
-  /** \brief Set whether edges of the finished surface are flipped where that lays them along the shape's
-   * sharp edges. On by default; the vertices are the same either way.
-   */
-  void setSharpEdges(bool sharp_edges) { options_.sharp_edges = sharp_edges; }
-
-  /** \brief Get whether edges are flipped along the shape's sharp edges. */
-  bool getSharpEdges() const { return options_.sharp_edges; }
-
-  /** \brief Set the bytes that a reconstruction may take beside its input; 0, the default: no limit. One that
-   * would need more (by an estimate) ends with Status::OutOfMemory.
-   */
-  void setMaxMemory(std::int64_t max_memory) { options_.max_memory = max_memory; }
-
-  /** \brief Get the bytes that a reconstruction may take. */
-  std::int64_t getMaxMemory() const { return options_.max_memory; }
-
-  /** \brief The gap that each output triangle bridges: the diameter of the smallest circle around it, in
-   * spacings of the points there. About 1.5 where the points are dense enough for their surface; large where
-   * the surface was closed without data. Empty on failure.
-   */
-  const std::vector<float>& getFaceGaps() const { return face_gaps_; }
-
-  /** \brief Set the number of film steps allowed before the first field. */
+  /** \brief Set the most film steps before the first field. */
   void setMaxSteps(int max_steps) { options_.max_steps = max_steps; }
 
-  /** \brief Get the number of film steps allowed before the first field. */
+  /** \brief Get the most film steps before the first field. */
   int getMaxSteps() const { return options_.max_steps; }
 
-  /** \brief Set the number of rounds of field and film allowed. */
+  /** \brief Set the most rounds of field and cut. */
   void setMaxRounds(int max_rounds) { options_.max_rounds = max_rounds; }
 
-  /** \brief Get the number of rounds of field and film allowed. */
+  /** \brief Get the most rounds of field and cut. */
   int getMaxRounds() const { return options_.max_rounds; }
 
-  /** \brief Set the number of threads; 0 stands for all that the machine has. */
-  void setNumberOfThreads(int threads = 0) { options_.threads = threads; }
-
-  /** \brief Get the number of threads; 0 stands for all that the machine has. */
-  int getNumberOfThreads() const { return options_.threads; }
-
-  /** \brief Set the surface that the film starts from, and FilmStart::Given with it.
-   * \param[in] surface a closed, oriented 2-manifold; null takes the surface back and leaves the rest
+  /** \brief Set the surface that a film starts from, and FilmStart::Given.
+   * \param[in] surface a closed, oriented 2-manifold; null removes the surface and changes nothing else
    */
   void setGuidingSurface(const std::shared_ptr<const filmsticking::Mesh>& surface) {
     options_.guiding_surface = surface;
     if (surface) setFilmStart(FilmStart::Given);
   }
 
-  /** \brief Set the surface that the film starts from, and FilmStart::Given with it.
-   * \param[in] surface a closed, oriented 2-manifold; polygons are cut into triangles
+  /** \brief Set the surface that a film starts from, and FilmStart::Given.
+   * \param[in] surface a closed, oriented 2-manifold; polygons are split into triangles
    */
   void setGuidingSurface(const pcl::PolygonMesh& surface);
 
   /** \brief Get the surface set by setGuidingSurface(); null if there is none. */
   std::shared_ptr<const filmsticking::Mesh> getGuidingSurface() const { return options_.guiding_surface; }
 
-  /** \brief Set all options at once. */
-  void setOptions(const Options& options) { options_ = options; }
-
-  /** \brief Get all options. */
-  const Options& getOptions() const { return options_; }
-
-  /** \brief Set a function that is called during reconstruct(), from the thread that called it, with the
-   * share done (0 to 1, never falling) and the part of the method at work.
-   */
-  void setProgressCallback(const ProgressCallback& callback) { progress_callback_ = callback; }
+  ///@}
 
  protected:
   using SurfaceReconstruction<PointInT>::check_tree_;
   using SurfaceReconstruction<PointInT>::fake_indices_;
   using SurfaceReconstruction<PointInT>::use_indices_;
 
-  /** \brief Reconstruct from an input that has been checked. */
+  /** \brief Reconstruct from a checked input. */
   void performReconstruction(pcl::PolygonMesh& output) override;
 
-  /** \brief Reconstruct from an input that has been checked. */
+  /** \brief Reconstruct from a checked input. */
   void performReconstruction(pcl::PointCloud<PointInT>& points,
                              std::vector<pcl::Vertices>& polygons) override;
 
-  /** \brief Class get name method. */
+  /** \brief Get the name of the class. */
   std::string getClassName() const override { return "FilmstickingPP"; }
 
  private:
-  /** \brief A flag for other threads; every object has its own, also a copied one. */
+  /** \brief The flag that cancel() raises; a copy of an object has its own. */
   struct CancelFlag {
     CancelFlag() = default;
     CancelFlag(const CancelFlag&) noexcept {}
@@ -338,40 +357,39 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
     std::atomic<bool> raised{false};
   };
 
-  /** \brief Forget the last result, run \a compute on the checked input, and turn exceptions into a status.
-   */
+  /** \brief Clear the last result, run \a compute on the checked input and turn exceptions into a status. */
   template <typename Compute>
   void guarded(Compute compute) noexcept;
 
-  /** \brief Use the whole cloud from now on. */
+  /** \brief Forget the indices: use all points. */
   void useAllPoints();
 
   /** \brief Prepare the indices; false, with the status set, if the input cannot be used. */
   bool checkInput();
 
-  /** \brief Fill \a polygons and what getVertexIndices() and others tell; false, with the status set, if
-   * there is no surface.
+  /** \brief Fill \a polygons and the results that the getters return; false, with the status set, if there is
+   * no surface.
    */
   bool computeTriangles(std::vector<pcl::Vertices>& polygons);
 
-  /** \brief The mesh of the indexed points, which are read where they lie if x, y and z are floats in a row.
+  /** \brief The result for the indexed points, which are read in place if x, y and z are consecutive floats.
    */
   filmsticking::Result computeResult(const filmsticking::Execution& execution) const;
 
-  /** \brief The same of the blob's points. */
+  /** \brief The same for the points of the blob. */
   filmsticking::Result computeResultOfBlob(const filmsticking::Execution& execution) const;
 
-  /** \brief The viewpoint that is tried. */
+  /** \brief The viewpoint of the options, else the sensor origin of the cloud. */
   filmsticking::Point viewPoint() const;
 
-  /** \brief The header of the blob or cloud; an empty one if there is neither. */
+  /** \brief The header of the blob or cloud; empty without input. */
   pcl::PCLHeader inputHeader() const;
 
   /** \brief Set a failure and report it by PCL_ERROR. */
   void fail(Status status, const std::string& message);
 
   pcl::PCLPointCloud2::ConstPtr blob_;
-  std::string indices_fault_;  // why a window was refused; empty: it was not
+  std::string indices_fault_;  // why a window is refused; empty: it is not
 
   Options options_;
   ProgressCallback progress_callback_;

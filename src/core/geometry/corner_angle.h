@@ -7,7 +7,7 @@
 
 namespace filmsticking {
 
-/// The angle at `apex` between the directions to p and q, 0 to pi; 0 where one of them is at the apex.
+/// The angle at `apex` between the directions to p and q, 0 to pi; 0 if p or q equals the apex.
 inline double corner_angle(const Vec3& apex, const Vec3& p, const Vec3& q) {
   const Vec3 u = p - apex, v = q - apex;
   return std::atan2(u.cross(v).norm(), u.dot(v));

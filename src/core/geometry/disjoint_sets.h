@@ -11,9 +11,9 @@
 
 namespace filmsticking {
 
-/// Disjoint sets of the numbers below n that several threads may unite at once: a set is named by its least
-/// member, towards which links lead, and a link is only ever set where there was none (Anderson and Woll,
-/// "Wait-free parallel algorithms for the union-find problem", 1991).
+/// Disjoint sets of the numbers below n, which several threads may unite at once (Anderson and Woll,
+/// "Wait-free parallel algorithms for the union-find problem", 1991). The least member names a set. Links
+/// lead to lesser members, and a root is linked once.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t n) : link_(n) {
@@ -21,7 +21,7 @@ class DisjointSets {
                   [&](std::size_t i) { link_[i].store(static_cast<Index>(i), std::memory_order_relaxed); });
   }
 
-  /// Ends: every step goes to a lesser member.
+  /// The least member of i's set. Ends: every step goes to a lesser member.
   Index find(Index i) {
     for (Index up = link(i); up != i; up = link(i)) {
       const Index above = link(up);
@@ -32,7 +32,7 @@ class DisjointSets {
   }
 
   void unite(Index a, Index b) {
-    for (;;) {  // ends: another thread has set a link each time that this one may not
+    for (;;) {  // ends: each failure means that another thread linked a root
       a = find(a), b = find(b);
       if (a == b) return;
       if (a < b) std::swap(a, b);
@@ -41,8 +41,8 @@ class DisjointSets {
     }
   }
 
-  /// set[i]: the number of i's set, by rising least members. Returns how many there are. Not while others
-  /// unite.
+  /// set[i]: the number of i's set, in the order of least members. Returns the number of sets. Not while
+  /// other threads unite.
   Index number(std::vector<Index>& set) {
     set.resize(link_.size());
     parallel_each(set.size(), [&](std::size_t i) { set[i] = find(static_cast<Index>(i)); });

@@ -11,9 +11,9 @@
 namespace filmsticking {
 namespace {
 
-/// Six times the volume is a sum of products, handed to term(product, sign). The coordinates are relative to
-/// a corner of the surface, which keeps their digits, and multiplied by `unit`; before they are subtracted
-/// they are divided by `part`, a power of two.
+/// Six times the volume is a sum of products: calls term(product, sign) for each. Coordinates are relative to
+/// a corner of the surface, which keeps their digits, and multiplied by `unit`. They are divided by `part`, a
+/// power of two, before the subtraction, so that it cannot overflow.
 template <class Number, class Term>
 void each_product(const std::vector<Corners>& triangles, const PointsView& places, int part, double unit,
                   const Term& term) {
@@ -34,7 +34,7 @@ void each_product(const std::vector<Corners>& triangles, const PointsView& place
   }
 }
 
-/// By floating-point numbers; 0 where they cannot tell.
+/// The sign in floating point; 0 where rounding may decide it.
 int rounded_sign(const std::vector<Corners>& triangles, const PointsView& places) {
   double longest = 0;
   const Point o = places[triangles[0][0]];
@@ -45,8 +45,7 @@ int rounded_sign(const std::vector<Corners>& triangles, const PointsView& places
     }
   constexpr double kFar = 1e290;
   if (!(longest > 1 / kFar && longest < kFar)) return 0;
-  // No coordinate is above 2 then, so that nothing overflows, and all that falls below the normal numbers on
-  // the way is less than kTiny.
+  // No coordinate is above 2 then, so nothing overflows, and what underflows adds up to less than kTiny.
   const double unit = std::exp2(-std::ilogb(longest));
   constexpr double kTiny = 1e-290;
   double sum = 0, size = 0;
@@ -60,7 +59,7 @@ int rounded_sign(const std::vector<Corners>& triangles, const PointsView& places
   return sum > error ? 1 : sum < -error ? -1 : 0;
 }
 
-/// Of such parts of coordinates, differences do not overflow.
+/// Differences of these parts of coordinates do not overflow.
 constexpr int kPart = 4;
 
 }  // namespace

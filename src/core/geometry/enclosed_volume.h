@@ -8,15 +8,15 @@
 
 namespace filmsticking {
 
-/// The sign, -1, 0 or 1, of the volume that some triangles of a closed surface enclose; exact, also where it
-/// is less than what rounding leaves. `triangles` index `places`, which are finite.
+/// The sign, -1, 0 or 1, of the volume enclosed by the triangles of a closed surface; positive if they wind
+/// counter-clockwise seen from outside. Exact at every scale. `triangles` index `places`, which are finite.
 int enclosed_volume_sign(const std::vector<Corners>& triangles, const PointsView& places);
 
-/// A power of two for rounded_volume(): volumes in the same one can be compared.
+/// A power of two for rounded_volume(). Volumes by the same unit can be compared.
 double enclosing_unit(const PointsView& places);
 
-/// What some triangles of a closed surface enclose, without its sign and but for rounding, in a unit of its
-/// own that only depends on `unit`. `triangles`, one at least, index `places`, which are finite.
+/// The absolute volume enclosed by the triangles of a closed surface, up to rounding, in an arbitrary unit
+/// that depends on `unit` only. `triangles`, at least one, index `places`, which are finite.
 double rounded_volume(const std::vector<Corners>& triangles, const PointsView& places, double unit);
 
 }  // namespace filmsticking

@@ -9,7 +9,7 @@
 
 namespace filmsticking {
 
-FaceTree::FaceTree(const Surface& film) : faces_(film.triangles.size()) {
+FaceTree::FaceTree(const Surface& surface) : faces_(surface.triangles.size()) {
   const std::size_t blocks = (faces_ + kBlock - 1) / kBlock;
   while (first_ < blocks) first_ *= 2;
   box_.resize(first_ + blocks);
@@ -17,7 +17,7 @@ FaceTree::FaceTree(const Surface& film) : faces_(film.triangles.size()) {
     const std::size_t end = std::min((i + 1) * kBlock, faces_);
     Eigen::AlignedBox3d box;
     for (std::size_t t = i * kBlock; t < end; ++t)
-      for (int k = 0; k < 3; ++k) box.extend(film.corner(static_cast<Index>(t), k));
+      for (int k = 0; k < 3; ++k) box.extend(surface.corner(static_cast<Index>(t), k));
     box_[first_ + i] = rounded(box);
   });
   for (std::size_t level = first_ / 2; level > 0; level /= 2)

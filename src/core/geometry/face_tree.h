@@ -9,21 +9,21 @@
 
 namespace filmsticking {
 
-/// Boxes around faces, which must be numbered so that near ones have near numbers: a binary tree over the
-/// blocks of eight in that order, without pointers. Boxes grow, where a face moves, and never shrink.
+/// Bounding boxes of faces: an implicit binary tree over blocks of eight faces in the order of their numbers,
+/// so near faces should have near numbers. Boxes grow where a face moves and never shrink.
 class FaceTree {
  public:
   using Box = Eigen::AlignedBox3f;
 
-  explicit FaceTree(const Surface& film);
+  explicit FaceTree(const Surface& surface);
 
-  static Box rounded(const Eigen::AlignedBox3d& exact);  ///< outward
+  static Box rounded(const Eigen::AlignedBox3d& exact);  ///< outward to floats
 
-  /// From now on the face is in that box, too. Not from two threads at once.
+  /// Grows the boxes around the face to contain this box too. Not from two threads at once.
   void add(Index face, const Box& box);
 
-  /// Is visit(face) true for all faces in the blocks whose boxes meet the box? The faces come in rising
-  /// order.
+  /// Calls visit(face), in rising order, for the faces of all blocks whose boxes meet this box, until it
+  /// returns false. Returns whether it never did.
   template <class Visit>
   bool all(const Box& box, const Visit& visit) const;
 
@@ -31,13 +31,13 @@ class FaceTree {
   static constexpr std::size_t kBlock = 8;
 
   std::size_t faces_ = 0,
-              first_ = 1;  // the tree's node of the first block; those of node i are 2i and 2i + 1
+              first_ = 1;  // the node of the first block; the children of node i are 2i and 2i + 1
   std::vector<Box> box_;
 };
 
 template <class Visit>
 bool FaceTree::all(const Box& box, const Visit& visit) const {
-  std::array<std::size_t, 64> stack;  // one a level, and one more
+  std::array<std::size_t, 64> stack;  // one entry per level, and one
   std::size_t top = 0;
   stack[top++] = 1;
   while (top > 0) {

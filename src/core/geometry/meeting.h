@@ -8,20 +8,20 @@
 
 namespace filmsticking {
 
-/// Pieces nearer to each other than this may meet, in units of the box that holds the sites: more than float
-/// coordinates are rounded.
+/// Distance of two pieces, in units of the box around the sites. Below: they may meet. More than the rounding
+/// of float coordinates.
 constexpr double kMeetingMargin = 1e-7;
 
-/// Two convex pieces of a film, each of some of its vertices: a face, or the four corners of two faces on an
-/// edge. Asks whether they meet in their common corners only, by planes between them.
+/// Do two convex pieces of a surface meet in their common corners only? A piece is the hull of some vertices:
+/// a face, or the four corners of two faces at an edge. Tests separating planes.
 template <std::size_t M, std::size_t N>
 class Meeting {
  public:
-  /// `margin`: in units of the positions; pieces nearer than this count as meeting.
+  /// `margin`: a distance in units of the positions; pieces nearer than this count as meeting.
   Meeting(const std::vector<Vec3>& positions, const std::array<Index, M>& a, const std::array<Index, N>& b,
           double margin)
       : margin_(margin) {
-    // Near the origin less is lost.
+    // Small coordinates round less.
     const Vec3& origin = positions[a[0]];
     for (std::size_t i = 0; i < M; ++i) a_[i] = positions[a[i]] - origin;
     for (std::size_t j = 0; j < N; ++j) {
@@ -31,7 +31,7 @@ class Meeting {
     }
   }
 
-  /// True: they do. False: they do not, or it is hard to tell.
+  /// True: they do. False: they do not, or rounding could decide.
   bool in_common_corners_only() const {
     if (parted_by_sides_of(b_) || parted_by_sides_of(a_)) return true;
     for (std::size_t j = 0; j < N; ++j)
@@ -39,7 +39,7 @@ class Meeting {
         for (std::size_t i = 0; i < M; ++i)
           for (std::size_t k = 0; k < i; ++k)
             if (parted_by((b_[j] - b_[l]).cross(a_[i] - a_[k]))) return true;
-    // Of a flat piece the sides are across its plane.
+    // A flat piece also needs planes across its own.
     return parted_in_plane_of(b_) || parted_in_plane_of(a_);
   }
 
@@ -61,8 +61,8 @@ class Meeting {
     return false;
   }
 
-  // Is there a plane across this axis with the common corners on it and the others beside it, those of one
-  // piece strictly?
+  // Is there a plane across this axis that holds the common corners and has the two pieces on its two sides,
+  // one of them strictly?
   bool parted_by(const Vec3& axis) const {
     const double margin = margin_ * axis.norm();
     if (!(margin > 0)) return false;
@@ -72,7 +72,7 @@ class Meeting {
       if (!common_b_[j]) b.add(axis.dot(b_[j]));
     if (!any_) return a.most + margin < b.least || b.most + margin < a.least;
     if (common.most - common.least > margin) return false;
-    const double slack = margin / 1024;  // what lies on the plane may be rounded off it
+    const double slack = margin / 1024;  // rounding of corners on the plane
     const auto below = [&](const Range& x, const Range& y) {
       return (x.most <= common.least + slack && common.most + margin < y.least) ||
              (x.most + margin < common.least && common.most <= y.least + slack);

@@ -14,12 +14,13 @@
 
 namespace filmsticking {
 
-/// Thrown inside the library when one of the caller's functions threw; never leaves it.
+/// Thrown inside the library when a callback of the caller threw. Never leaves it.
 struct CallbackThrew {
   std::string what;
 };
 
-/// Runs a function of the caller's. What it throws must not be taken for a failure of the library.
+/// Runs a callback of the caller. Turns what it throws into CallbackThrew, so that it is not taken for a
+/// failure of the library; std::bad_alloc passes.
 template <class Call>
 void call_back(const Call& call) {
   try {
@@ -33,7 +34,7 @@ void call_back(const Call& call) {
   }
 }
 
-/// Keeps the time by rooms, tells the caller how far the work is, and listens for the caller's stop.
+/// Measures the time per stage, reports progress to the caller and checks for a request to stop.
 class Monitor {
  public:
   Monitor(const Execution& execution, Report& report) : execution_(execution), report_(report) {}
@@ -41,7 +42,8 @@ class Monitor {
   Monitor(const Monitor&) = delete;
   Monitor& operator=(const Monitor&) = delete;
 
-  /// Leaves the room at work and enters another; `share` of the whole work is done.
+  /// Ends the current stage and starts another. `share`: fraction of the work done, 0 to 1. Throws Cancelled,
+  /// CallbackThrew.
   void enter(const char* room, double share) {
     leave();
     auto it = std::find_if(report_.rooms.begin(), report_.rooms.end(),

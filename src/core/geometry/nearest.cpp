@@ -14,14 +14,15 @@
 
 namespace filmsticking {
 
-// A kd-tree over point ids, split at the median along the widest side; leaves of a few points. What is found
-// does not depend on the tree: of points equally far away the first is nearer.
+// A kd-tree, split at the median along the widest side. Results do not depend on the tree: of points at the
+// same distance the one of the lower number is nearer.
 struct PointTree::Impl {
   struct Node {
     Vec3 lo, hi;
     Index begin, end, left, right;  // left == kNone: a leaf
   };
-  static constexpr Index kLeaf = 8, kAlone = 4096;  // points of a leaf; and that one thread sorts
+  static constexpr Index kLeaf = 8;      // most points in a leaf
+  static constexpr Index kAlone = 4096;  // most points of a subtree built by one thread
 
   std::vector<Index> id;
   const std::vector<Vec3>& points;
@@ -63,7 +64,7 @@ struct PointTree::Impl {
     return (nodes[n].lo - x).cwiseMax(x - nodes[n].hi).cwiseMax(0).squaredNorm();
   }
 
-  // `found`: a heap of at most k, the farthest first.
+  // `found`: a heap of the k nearest so far, the farthest on top.
   using Found = std::vector<std::pair<double, Index>>;
   void search(Index n, const Vec3& x, std::size_t k, Found& found) const {
     const Node& node = nodes[n];
@@ -125,7 +126,7 @@ SurfaceTree::SurfaceTree(const Surface& surface) : impl_(new Impl) {
                                   cgal_point(surface.positions[t[2]]));
   impl_->tree.insert(impl_->triangles.cbegin(), impl_->triangles.cend());
   impl_->tree.build();
-  // Not left to the first query: queries come from several threads.
+  // Not at the first query: several threads query.
   impl_->tree.accelerate_distance_queries();
 }
 SurfaceTree::~SurfaceTree() = default;

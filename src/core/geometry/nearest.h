@@ -8,14 +8,15 @@
 
 namespace filmsticking {
 
-/// Nearest of some points. Indices are those of the array that was given.
+/// Nearest points, exactly. Ties go to the lower index. Results are indices into the array given.
 class PointTree {
  public:
-  explicit PointTree(const std::vector<Vec3>& points);  // must outlive the tree
+  /// `points` must outlive the tree.
+  explicit PointTree(const std::vector<Vec3>& points);
   ~PointTree();
-  /// The nearest point and, through `distance2`, its squared distance; kNone for an empty tree.
+  /// The nearest point; kNone without points. `distance2`: receives its squared distance, if not null.
   Index nearest(const Vec3& x, double* distance2 = nullptr) const;
-  /// The k nearest, nearest first.
+  /// The k nearest points, nearest first; all if there are fewer.
   std::vector<Index> nearest(const Vec3& x, std::size_t k) const;
 
  private:
@@ -23,9 +24,10 @@ class PointTree {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Nearest point of a surface, which must outlive the tree and not be empty.
+/// Nearest points on a surface.
 class SurfaceTree {
  public:
+  /// `surface` must have a face; it is copied.
   explicit SurfaceTree(const Surface& surface);
   ~SurfaceTree();
   struct Hit {

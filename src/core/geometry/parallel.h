@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parallel loops whose results cannot depend on the number of threads: the range is cut into fixed chunks,
-// and whatever a chunk produces is kept apart until the chunks are joined in order.
+// Parallel loops whose results do not depend on the number of threads: chunks are fixed, and their results
+// are joined in order.
 #pragma once
 
 #include <tbb/blocked_range.h>
@@ -23,7 +23,7 @@ void parallel_chunks(std::size_t n, std::size_t chunk_size, const Body& body) {
                     });
 }
 
-/// Calls body(i) for every i of [0, n); the calls must not touch each other's results.
+/// Calls body(i) for every i of [0, n). Calls must not write to the same place.
 template <class Body>
 void parallel_each(std::size_t n, const Body& body) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 256),
@@ -32,7 +32,7 @@ void parallel_each(std::size_t n, const Body& body) {
                     });
 }
 
-/// The sum of term(i) over [0, n), added up in the same order for any number of threads.
+/// The sum of term(i) over [0, n), in the same order for any number of threads.
 template <class Term>
 double parallel_sum(std::size_t n, const Term& term) {
   constexpr std::size_t kChunk = 8192;

@@ -9,28 +9,28 @@
 
 namespace filmsticking {
 
-/// The film: a closed oriented 2-manifold. Its vertices are sites, or positions of no site: those of the
-/// initial surface, and virtual sites that have left.
+/// An oriented triangle surface; usually a 2-manifold, with or without boundary. Vertices are sites, except
+/// those of a film that has not reached a site there.
 struct Surface {
   std::vector<Vec3> positions;
-  std::vector<Index> site;  ///< per vertex: the site that stands there, or kNone
+  std::vector<Index> site;  ///< [vertex]: its site, or kNone
   std::vector<Corners> triangles;
 
   Vec3 corner(Index triangle, int k) const { return positions[triangles[triangle][k]]; }
-  /// Normal to a triangle, outward, twice its area long.
+  /// The outward normal of a triangle, twice its area long.
   Vec3 area_vector2(Index triangle) const;
 };
 
-/// Six times the enclosed volume.
+/// Six times the enclosed volume of a closed surface.
 double signed_volume6(const Surface& surface);
 
-/// A surface from triangles of sites, in the order of the triangles.
+/// A surface from triangles of sites, which keep their order. Vertices are sorted by site.
 Surface unsorted_surface_of_sites(std::vector<Corners> triangles, const std::vector<Vec3>& sites);
 
-/// A surface from triangles of sites, in a canonical order.
+/// The same with triangles sorted, each from its least corner: independent of the order given.
 Surface surface_of_sites(std::vector<Corners> triangles, const std::vector<Vec3>& sites);
 
-/// Number of sites among the surface's vertices with an id below `points`.
+/// The number of vertices with a site below `points`.
 std::int64_t sites_on(const Surface& surface, std::size_t points);
 
 }  // namespace filmsticking

@@ -14,17 +14,17 @@ namespace {
 
 Index target(const std::vector<Corners>& triangles, Index h) { return triangles[h / 3][next_in_face(h) % 3]; }
 
-// Half-edges bucketed by that end which has fewer of them: the apex of a wide cone is searched by nobody.
+// Half-edges in buckets of their end with fewer of them, so that the apex of a wide cone is never searched.
 struct HalfEdgesByEnd {
   struct HalfEdge {
     Index other;         // end
-    std::uint32_t code;  // 2h, or 2h + 1 if h runs to the end that has the bucket
+    std::uint32_t code;  // 2h, or 2h + 1 if h runs to the end of the bucket
   };
   std::vector<Index> degree, offset;
   std::vector<HalfEdge> half_edge;
   HalfEdgesByEnd(const std::vector<Corners>& triangles, Index vertex_count)
       : degree(vertex_count), offset(vertex_count + 1, 0), half_edge(triangles.size() * 3) {
-    // By counting; the order in a bucket does not matter.
+    // A counting sort; the order in a bucket does not matter.
     std::vector<std::atomic<Index>> count(vertex_count);
     const auto add = [&](Index v) { return count[v].fetch_add(1, std::memory_order_relaxed); };
     parallel_each(count.size(), [&](std::size_t v) { count[v].store(0, std::memory_order_relaxed); });
@@ -49,7 +49,7 @@ struct HalfEdgesByEnd {
   Index end(Index a, Index b) const { return std::pair(degree[a], a) < std::pair(degree[b], b) ? a : b; }
 };
 
-// How often an edge is run along the other way, and this way, from half-edge h; and the last that runs back.
+// The half-edges on the edge of h: how many run back, how many run the same way, and the last that runs back.
 struct EdgeUse {
   Index back = kNone;
   int opposite = 0, same = 0;
@@ -74,7 +74,7 @@ EdgeUse use_of(const std::vector<Corners>& triangles, const HalfEdgesByEnd& edge
 // comes to an open end or back to the start. `distinct`: do they have different edges there, too?
 bool single_rings(const std::vector<Corners>& triangles, const std::vector<Index>& twin,
                   const std::vector<Index>& degree, bool distinct) {
-  // Of the fans at a vertex any will do: if there are several, none has all of its faces.
+  // Any fan at a vertex will do: if there are several, none has all faces.
   std::vector<std::atomic<Index>> some(degree.size());
   parallel_each(some.size(), [&](std::size_t v) { some[v].store(kNone, std::memory_order_relaxed); });
   parallel_each(twin.size(), [&](std::size_t h) {
@@ -86,7 +86,7 @@ bool single_rings(const std::vector<Corners>& triangles, const std::vector<Index
     for (std::size_t v = begin; v < end; ++v) {
       const Index h = some[v].load(std::memory_order_relaxed);
       if (h == kNone) continue;
-      Index first = h;  // where the fan starts, if it is no ring
+      Index first = h;  // the open end of the fan, or any start of a ring
       while (twin[first] != kNone && next_in_face(twin[first]) != h) first = next_in_face(twin[first]);
       Index g = first, last = first, faces = 0;
       ends.clear();
@@ -106,8 +106,7 @@ bool single_rings(const std::vector<Corners>& triangles, const std::vector<Index
   return single;
 }
 
-// Around the origin of a half-edge, from it on, and where that ends at a border, the other way from the
-// start.
+// Turns around the origin of a half-edge; at a boundary it goes on from the start in the other direction.
 class FaceTurn {
  public:
   FaceTurn(const std::vector<Index>& twins, Index start) : twins_(twins), start_(start), at_(start) {}
@@ -219,7 +218,7 @@ ManifoldCheck check_manifold_with_twins(const std::vector<Corners>& triangles, I
   if (!check.edges_simple) return check;
   std::vector<Index> degree(count.size());
   parallel_each(count.size(), [&](std::size_t v) { degree[v] = count[v].load(std::memory_order_relaxed); });
-  // Faces in one ring or fan, with different edges: then no edge has other faces than its two half-edges'.
+  // If the faces at every vertex form one ring or fan of distinct edges, no edge has more than two faces.
   check.single_rings = single_rings(triangles, twins, degree, true);
   return check;
 }
@@ -260,7 +259,7 @@ Index connected_components(const std::vector<Index>& twins, std::vector<Index>& 
   return sets.number(component);
 }
 
-// One loop ends at a vertex: the fan there ends the inner search, and a loop comes back to where it was seen.
+// Ends: the fan at a vertex bounds the inner turn, and a loop returns to its start.
 std::int64_t boundary_loops(const std::vector<Index>& twin) {
   std::vector<char> seen(twin.size(), 0);
   std::int64_t loops = 0;

@@ -8,7 +8,7 @@
 
 namespace filmsticking {
 
-/// The square of a triangle's circumradius; the largest number where it has no area.
+/// The squared circumradius of a triangle; the largest double for one without area.
 inline double circumradius2(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double la = (b - c).squaredNorm(), lb = (c - a).squaredNorm(), lc = (a - b).squaredNorm();
   const double area2 = (b - a).cross(c - a).squaredNorm();

@@ -8,6 +8,7 @@
 
 namespace filmsticking {
 
+/// Default-initialises where std::allocator value-initialises.
 template <class T>
 struct UnsetAllocator : std::allocator<T> {
   UnsetAllocator() = default;
@@ -27,8 +28,8 @@ struct UnsetAllocator : std::allocator<T> {
   }
 };
 
-/// A vector of which new elements are not set where none are given: the pages of a large one are then taken
-/// by the threads that fill it, not one after the other by the one that makes it.
+/// A vector whose new elements are not initialised unless a value is given. The threads that fill a large one
+/// touch its pages first, not the thread that makes it.
 template <class T>
 using UnsetVector = std::vector<T, UnsetAllocator<T>>;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The core's own shorthand for positions and ids.
+// Short names for positions and indices.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,6 +14,6 @@ using Vec3 = Eigen::Vector3d;
 using Index = std::int32_t;
 using Corners = std::array<Index, 3>;
 
-constexpr Index kNone = -1;
+constexpr Index kNone = -1;  // no vertex, site, face, half-edge or tetrahedron
 
 }  // namespace filmsticking

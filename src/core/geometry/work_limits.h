@@ -7,13 +7,13 @@
 
 namespace filmsticking {
 
-/// Thrown inside the library when the caller asked to stop; never leaves it.
+/// Thrown inside the library when the caller asked to stop. Never leaves it.
 struct Cancelled {};
 
-/// Thrown by a triangulation that grew past what it was allowed.
+/// Thrown by a triangulation with more tetrahedra than its limit.
 struct TooManyTetrahedra {};
 
-/// The caller's wish to stop, for loops that take long: cancel() throws Cancelled once it is there.
+/// The request to stop, for long loops: cancel() throws Cancelled once the caller has set it.
 struct Cancel {
   const std::atomic<bool>* wish = nullptr;
 
@@ -22,7 +22,7 @@ struct Cancel {
   }
 };
 
-/// What a triangulation may take.
+/// Limits of a triangulation.
 struct TriangulationLimits {
   std::int64_t tetrahedra = std::numeric_limits<std::int64_t>::max();
   Cancel cancel;

@@ -12,16 +12,18 @@
 namespace filmsticking {
 namespace {
 
-// How far from the edge the corner may be, in units of the box that holds the sites, which is more than float
-// coordinates are rounded, and in lengths of the edge: tiny faces are none.
-constexpr double kRounding = 1e-7, kFlat = 1e-3;
+// Distance of the corner from the edge, in units of the box around the sites. Below: a sliver. More than the
+// rounding of float coordinates.
+constexpr double kRounding = 1e-7;
+// The same in lengths of the edge, so that a tiny face is no sliver.
+constexpr double kFlat = 1e-3;
 
-// The edge of a face, by its first corner's place in it, that the third corner lies on, away from its ends;
-// kNone: it is no cap.
-Index cap_edge(const Surface& film, const Corners& face) {
+// The edge that the opposite corner lies on, away from its ends: the place of its first corner in the face.
+// kNone: no sliver.
+Index cap_edge(const Surface& surface, const Corners& face) {
   for (int k = 0; k < 3; ++k) {
-    const Vec3 &a = film.positions[face[k]], &b = film.positions[face[(k + 1) % 3]],
-               &c = film.positions[face[(k + 2) % 3]];
+    const Vec3 &a = surface.positions[face[k]], &b = surface.positions[face[(k + 1) % 3]],
+               &c = surface.positions[face[(k + 2) % 3]];
     const double length = (b - a).norm();
     if (!(length > 0)) continue;
     const double margin = std::min(kRounding, kFlat * length), foot = (b - a).dot(c - a) / length;
@@ -30,17 +32,17 @@ Index cap_edge(const Surface& film, const Corners& face) {
   return kNone;
 }
 
-bool is_cap(const Surface& film, const Corners& face) { return cap_edge(film, face) != kNone; }
+bool is_cap(const Surface& surface, const Corners& face) { return cap_edge(surface, face) != kNone; }
 
-// The caps in an order that no numbering changes.
-std::vector<Index> find_cap_faces(const Surface& film) {
-  std::vector<char> cap(film.triangles.size());
-  parallel_each(cap.size(), [&](std::size_t t) { cap[t] = is_cap(film, film.triangles[t]); });
+// The slivers, ordered by their sites: independent of the numbering.
+std::vector<Index> find_cap_faces(const Surface& surface) {
+  std::vector<char> cap(surface.triangles.size());
+  parallel_each(cap.size(), [&](std::size_t t) { cap[t] = is_cap(surface, surface.triangles[t]); });
   std::vector<std::pair<std::array<Index, 3>, Index>> named;
   for (std::size_t t = 0; t < cap.size(); ++t) {
     if (!cap[t]) continue;
     std::array<Index, 3> name;
-    for (int k = 0; k < 3; ++k) name[k] = film.site[film.triangles[t][k]];
+    for (int k = 0; k < 3; ++k) name[k] = surface.site[surface.triangles[t][k]];
     std::sort(name.begin(), name.end());
     named.emplace_back(name, static_cast<Index>(t));
   }
@@ -52,32 +54,32 @@ std::vector<Index> find_cap_faces(const Surface& film) {
 
 class CapRemoval {
  public:
-  CapRemoval(Surface& film, const std::vector<Index>& twins)
-      : film_(film), twin_(twins), dropped_(film.triangles.size(), 0) {}
+  CapRemoval(Surface& surface, const std::vector<Index>& twins)
+      : surface_(surface), twin_(twins), dropped_(surface.triangles.size(), 0) {}
 
   std::int64_t run(const std::vector<Index>& caps) {
     std::int64_t removed = 0;
-    for (bool changed = true; changed;) {  // ends: a change leaves a cap less
+    for (bool changed = true; changed;) {  // ends: every change leaves one sliver less
       changed = false;
       for (const Index t : caps)
         if (remove(t)) ++removed, changed = true;
     }
     std::vector<Corners> kept;
     for (std::size_t t = 0; t < dropped_.size(); ++t)
-      if (!dropped_[t]) kept.push_back(film_.triangles[t]);
-    film_.triangles.swap(kept);
+      if (!dropped_[t]) kept.push_back(surface_.triangles[t]);
+    surface_.triangles.swap(kept);
     return removed;
   }
 
  private:
-  Index origin(Index h) const { return film_.triangles[h / 3][h % 3]; }
+  Index origin(Index h) const { return surface_.triangles[h / 3][h % 3]; }
 
   bool remove(Index t) {
-    const Index k = dropped_[t] ? kNone : cap_edge(film_, film_.triangles[t]);
+    const Index k = dropped_[t] ? kNone : cap_edge(surface_, surface_.triangles[t]);
     if (k == kNone) return false;
     const Index h = 3 * t + k;
     if (twin_[h] == kNone) {
-      // A border that comes to the corner from both sides would part its faces.
+      // If the corner is at the boundary already, two fans of faces would touch there.
       if (!in_a_ring(prev_in_face(h))) return false;
       dropped_[t] = 1;
       for (Index g = 3 * t; g < 3 * t + 3; ++g)
@@ -86,10 +88,10 @@ class CapRemoval {
     }
     const Index a = origin(h), b = origin(twin_[h]), c = origin(prev_in_face(h)),
                 d = origin(prev_in_face(twin_[h]));
-    if (c == d || is_cap(film_, {b, a, d}) || is_cap(film_, {d, c, a}) || is_cap(film_, {c, d, b}) ||
-        have_edge(film_.triangles, twin_, prev_in_face(h), prev_in_face(twin_[h])))
+    if (c == d || is_cap(surface_, {b, a, d}) || is_cap(surface_, {d, c, a}) || is_cap(surface_, {c, d, b}) ||
+        have_edge(surface_.triangles, twin_, prev_in_face(h), prev_in_face(twin_[h])))
       return false;
-    flip_edge(film_.triangles, twin_, h);
+    flip_edge(surface_.triangles, twin_, h);
     return true;
   }
 
@@ -101,16 +103,16 @@ class CapRemoval {
     return g == h;
   }
 
-  Surface& film_;
+  Surface& surface_;
   std::vector<Index> twin_;
   std::vector<char> dropped_;  // of every face
 };
 
 }  // namespace
 
-std::int64_t remove_cap_faces(Surface& film, const std::vector<Index>& twins) {
-  const std::vector<Index> caps = find_cap_faces(film);
-  return caps.empty() ? 0 : CapRemoval(film, twins).run(caps);
+std::int64_t remove_cap_faces(Surface& surface, const std::vector<Index>& twins) {
+  const std::vector<Index> caps = find_cap_faces(surface);
+  return caps.empty() ? 0 : CapRemoval(surface, twins).run(caps);
 }
 
 }  // namespace filmsticking

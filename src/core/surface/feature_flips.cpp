@@ -19,36 +19,35 @@
 namespace filmsticking {
 namespace {
 
-// What a flip must gain, in lengths of the longer diagonal: the bend of one degree, and more the rougher the
-// film is around it, by the cube of its usual bends in units of the second. Noise bends all edges, a sharp
-// edge the few across it. So clean surfaces have their flips, and noisy ones none: all that they would gain
-// is other noise.
-constexpr float kLeastGain = 0.02F, kNoisy = 0.25F;
-// What is usual at a vertex: of the bends of its edges, this quantile; and of these, the median over the
-// vertex and those around it.
+// Least gain of a flip on a smooth surface, in lengths of the longer diagonal: a bend of about one degree.
+constexpr float kLeastGain = 0.02F;
+// Usual bend at which the least gain grows by one such length. It grows by the cube of the usual bend. Noise
+// bends all edges, a sharp edge only the few across it, so noisy surfaces have no flips.
+constexpr float kNoisy = 0.25F;
+// Quantile of the bends around a vertex. The usual bend is the median of it over the vertex and its
+// neighbours.
 constexpr float kUsual = 0.25F;
-// Most flips are made in the first rounds. They end by themselves, since every flip lowers a sum; but there
-// are films on which only one flip a round could be made.
+// Most rounds. Flips end without it, since each lowers a sum, but some surfaces allow one flip a round.
 constexpr int kRounds = 40;
-// The sine of the angle between a face and its line of sight up to which it counts as seen edge-on.
+// Sine of the angle between a face and its line of sight. Below: seen edge-on.
 constexpr double kEdgeOn = 1e-3;
 constexpr std::size_t kChunk = 1024;
 
 class FeatureFlips {
  public:
-  FeatureFlips(Surface& film, std::vector<Index>& twins, const Vec3* viewpoint)
-      : film_(film),
+  FeatureFlips(Surface& surface, std::vector<Index>& twins, const Vec3* viewpoint)
+      : surface_(surface),
         twin_(twins),
         viewpoint_(viewpoint),
-        normal_(film.triangles.size()),
+        normal_(surface.triangles.size()),
         gain_(twin_.size()),
-        swept_by_(film.triangles.size()),
+        swept_by_(surface.triangles.size()),
         marked_(twin_.size()),
-        tree_(film) {
+        tree_(surface) {
     parallel_each(marked_.size(), [&](std::size_t h) { marked_[h].store(0, std::memory_order_relaxed); });
     parallel_each(normal_.size(), [&](std::size_t t) {
       swept_by_[t] = kNone;
-      const Corners& c = film_.triangles[t];
+      const Corners& c = surface_.triangles[t];
       normal_[t] = normal(c[0], c[1], c[2]);
     });
     measure_roughness();
@@ -72,34 +71,34 @@ class FeatureFlips {
   using Normal = Eigen::Vector3f;
   using Box = Eigen::AlignedBox3d;
 
-  Index origin(Index h) const { return film_.triangles[h / 3][h % 3]; }
+  Index origin(Index h) const { return surface_.triangles[h / 3][h % 3]; }
   Index target(Index h) const { return origin(next_in_face(h)); }
   Index apex(Index h) const { return origin(prev_in_face(h)); }
-  // Edges are known by their half-edge of the lower number.
+  // An edge is named by its half-edge of the lower number.
   Index edge(Index h) const { return twin_[h] == kNone ? h : std::min(h, twin_[h]); }
   bool is_edge(Index h) const { return twin_[h] > h; }
 
-  // Of length 1, or 0 where there is none. From the corner of the least site, so that its last bit is the
-  // same in any numbering.
+  // Of length 1, or 0 for a face without area. Start at the least site, so that rounding does not depend on
+  // the numbering.
   Normal normal(Index a, Index b, Index c) const {
-    const Index i = film_.site[a], j = film_.site[b], k = film_.site[c];
+    const Index i = surface_.site[a], j = surface_.site[b], k = surface_.site[c];
     if (j < i && j < k) std::tie(a, b, c) = std::tuple(b, c, a);
     if (k < i && k < j) std::tie(a, b, c) = std::tuple(c, a, b);
-    const Vec3& o = film_.positions[a];
-    const Vec3 n = (film_.positions[b] - o).cross(film_.positions[c] - o);
+    const Vec3& o = surface_.positions[a];
+    const Vec3 n = (surface_.positions[b] - o).cross(surface_.positions[c] - o);
     const double square = n.squaredNorm();
     return square > 0 ? Normal((n / std::sqrt(square)).cast<float>()) : Normal(0, 0, 0);
   }
   float length(Index a, Index b) const {
-    return static_cast<float>((film_.positions[a] - film_.positions[b]).norm());
+    return static_cast<float>((surface_.positions[a] - surface_.positions[b]).norm());
   }
   static float cube(float x) { return x * x * x; }
   static float bend(const Normal& m, const Normal& n) { return (m - n).norm(); }
 
   void measure_roughness() {
-    std::vector<Index> some(film_.positions.size(), kNone);
+    std::vector<Index> some(surface_.positions.size(), kNone);
     for (Index h = static_cast<Index>(twin_.size()); h-- > 0;)
-      if (some[origin(h)] == kNone || twin_[h] == kNone) some[origin(h)] = h;  // the first of a fan
+      if (some[origin(h)] == kNone || twin_[h] == kNone) some[origin(h)] = h;  // a fan starts at its open end
     const auto around = [&](std::size_t v, std::vector<float>& values, float share, const auto& add) {
       values.clear();
       Index g = some[v];
@@ -130,10 +129,12 @@ class FeatureFlips {
     });
   }
 
-  // Of the two half-edges of an edge, the one from the site of the lower number.
-  Index canonical(Index h) const { return film_.site[origin(h)] < film_.site[target(h)] ? h : twin_[h]; }
+  // The half-edge of an edge that starts at the lesser site.
+  Index canonical(Index h) const {
+    return surface_.site[origin(h)] < surface_.site[target(h)] ? h : twin_[h];
+  }
 
-  // By how much flipping an edge lowers the sum of bends; 0 where that is too little.
+  // What a flip lowers the sum of bends by; 0 if that is too little.
   float gain(Index h) const {
     h = canonical(h);
     const Index u = twin_[h], a = origin(h), b = target(h), c = apex(h), d = apex(u);
@@ -160,7 +161,7 @@ class FeatureFlips {
 
   bool shows_front(const Normal& normal, Index corner) const {
     if (viewpoint_ == nullptr) return true;
-    const Vec3 ray = *viewpoint_ - film_.positions[corner];
+    const Vec3 ray = *viewpoint_ - surface_.positions[corner];
     return normal.cast<double>().dot(ray) > kEdgeOn * ray.norm();
   }
 
@@ -174,15 +175,17 @@ class FeatureFlips {
     return candidates;
   }
 
-  // Does g go before h? By what no numbering changes.
+  // Is g flipped before h? Independent of the numbering.
   bool before(Index g, Index h) const {
     if (gain_[g] != gain_[h]) return gain_[g] > gain_[h];
-    const auto sites = [&](Index e) { return std::minmax(film_.site[origin(e)], film_.site[target(e)]); };
+    const auto sites = [&](Index e) {
+      return std::minmax(surface_.site[origin(e)], surface_.site[target(e)]);
+    };
     return sites(g) < sites(h);
   }
 
-  // Those whose gain no better one changes, and that change no better one's: nothing before them in the faces
-  // that they flip, nor in the faces around these.
+  // The candidates that can flip at once: no better candidate is in their two faces or in the faces around
+  // these, so their gains do not depend on each other.
   std::vector<Index> best_of(const std::vector<Index>& candidates) const {
     std::vector<char> is_best(candidates.size(), 0);
     parallel_each(candidates.size(), [&](std::size_t i) {
@@ -206,7 +209,7 @@ class FeatureFlips {
     return best;
   }
 
-  // What flips at once must not meet, either: where two would, the better one is made and the other waits.
+  // Flips at once must not meet each other: the better one is made and the other waits.
   std::vector<Index> flip_those_that_may(const std::vector<Index>& best) {
     for (const Index h : best)
       for (const Index t : {h / 3, twin_[h] / 3})
@@ -217,7 +220,7 @@ class FeatureFlips {
     std::vector<Index> made;
     for (std::size_t i = 0; i < best.size(); ++i) {
       if (verdict[i] == Verdict::Made) made.push_back(best[i]);
-      if (verdict[i] == Verdict::Never) gain_[best[i]] = 0;  // until something beside it changes
+      if (verdict[i] == Verdict::Never) gain_[best[i]] = 0;  // until a flip beside it
     }
     parallel_each(made.size(), [&](std::size_t i) { flip(made[i]); });
     return made;
@@ -225,12 +228,12 @@ class FeatureFlips {
 
   enum class Verdict : char { Made, Waits, Never };
 
-  // a, b, c, d of the edge ab with the apexes c and d.
+  // a, b, c, d: the edge ab and the corners c and d opposite to it.
   Four corners(Index h) const { return {origin(h), target(h), apex(h), apex(twin_[h])}; }
   template <std::size_t N>
   Box box_of(const std::array<Index, N>& vertices) const {
-    Box box(film_.positions[vertices[0]]);
-    for (std::size_t i = 1; i < N; ++i) box.extend(film_.positions[vertices[i]]);
+    Box box(surface_.positions[vertices[0]]);
+    for (std::size_t i = 1; i < N; ++i) box.extend(surface_.positions[vertices[i]]);
     return box;
   }
 
@@ -238,11 +241,11 @@ class FeatureFlips {
     const Index g = canonical(h);
     const Four tet = corners(g);
     const Index c = tet[2], d = tet[3];
-    if (c == d || have_edge(film_.triangles, twin_, prev_in_face(g), prev_in_face(twin_[g])))
+    if (c == d || have_edge(surface_.triangles, twin_, prev_in_face(g), prev_in_face(twin_[g])))
       return Verdict::Never;
     Box box = box_of(tet);
     box.min().array() -= kMeetingMargin, box.max().array() += kMeetingMargin;
-    const Fence fence(film_.positions, tet);
+    const Fence fence(surface_.positions, tet);
     Verdict verdict = Verdict::Made;
     tree_.all(FaceTree::rounded(box), [&](Index t) {
       const Index other = swept_by_[t];
@@ -251,22 +254,23 @@ class FeatureFlips {
         const Four swept = corners(other);
         if (box_of(swept).intersects(box)) {
           const bool same_edge = std::minmax(c, d) == std::minmax(swept[2], swept[3]);
-          if (same_edge || !(fence.keeps_out(swept) ||
-                             Meeting(film_.positions, tet, swept, kMeetingMargin).in_common_corners_only()))
+          if (same_edge ||
+              !(fence.keeps_out(swept) ||
+                Meeting(surface_.positions, tet, swept, kMeetingMargin).in_common_corners_only()))
             verdict = Verdict::Waits;
         }
       }
-      const Corners& face = film_.triangles[t];
+      const Corners& face = surface_.triangles[t];
       if (!box_of(face).intersects(box) || fence.keeps_out(face)) return true;
-      if (Meeting(film_.positions, tet, face, kMeetingMargin).in_common_corners_only()) return true;
+      if (Meeting(surface_.positions, tet, face, kMeetingMargin).in_common_corners_only()) return true;
       verdict = Verdict::Never;
       return false;
     });
     return verdict;
   }
 
-  // Planes through the outer edges of two faces, across them: what is beyond one of these meets the
-  // tetrahedron of the faces' corners in common corners only. Most faces around are, and this is soon found.
+  // Planes through the outer edges of two faces, across them. A face beyond one of these planes meets the
+  // tetrahedron of the four corners in common corners only. A quick test that most faces around pass.
   class Fence {
    public:
     Fence(const std::vector<Vec3>& positions, const Four& tet) : positions_(positions) {
@@ -275,7 +279,7 @@ class FeatureFlips {
       const Vec3 up = ab.cross(cd);
       const Four from{b, c, a, d}, to{c, a, d, b};
       for (int k = 0; k < 4; ++k) {
-        // up is away from the film or into it; what is inside tells which side is out.
+        // `up` may point to either side of the surface; the other corners show which side is out.
         const Vec3 &p = positions[from[k]], &q = positions[to[k]];
         Vec3 out = (q - p).cross(up);
         const double norm = out.norm();
@@ -317,16 +321,16 @@ class FeatureFlips {
   void flip(Index h) {
     const auto [a, b, c, d] = corners(h);
     const Index t = h / 3, u = twin_[h] / 3;
-    flip_edge(film_.triangles, twin_, h);
+    flip_edge(surface_.triangles, twin_, h);
     normal_[t] = normal(d, c, a), normal_[u] = normal(c, d, b);
   }
 
-  // Those left, and of what the flips have changed, the edges of their faces and of the faces around these,
-  // those that gain now.
+  // The candidates that are left, and the edges near a flip that gain now: those of its faces and of the
+  // faces around these.
   std::vector<Index> next_candidates(std::vector<Index> candidates, const std::vector<Index>& made) {
     std::vector<std::vector<Index>> parts((made.size() + kChunk - 1) / kChunk);
     parallel_chunks(made.size(), kChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-      // Which of two flips marks an edge between them is chance; nothing depends on it.
+      // Two flips may race to mark an edge between them; the result is the same.
       const auto add = [&](Index g) {
         const Index h = edge(g);
         if (is_edge(h) && marked_[h].exchange(1, std::memory_order_relaxed) == 0) parts[chunk].push_back(h);
@@ -347,7 +351,7 @@ class FeatureFlips {
     parallel_each(changed.size(), [&](std::size_t i) {
       const Index h = changed[i];
       gain_[h] = gain(h);
-      gain_[twin_[h]] = 0;  // which was the edge's number, perhaps
+      gain_[twin_[h]] = 0;  // this half-edge may have named the edge before
       marked_[h].store(0, std::memory_order_relaxed);
     });
     for (const Index h : changed)
@@ -355,22 +359,22 @@ class FeatureFlips {
     return candidates;
   }
 
-  Surface& film_;
+  Surface& surface_;
   std::vector<Index>& twin_;
   const Vec3* viewpoint_;
-  UnsetVector<Normal> normal_;   // of every face
-  UnsetVector<float> rough_;     // of every vertex: the bend that is usual around there
-  UnsetVector<float> gain_;      // of every edge, at its half-edge of the lower number; 0: it is no candidate
-  UnsetVector<Index> swept_by_;  // of every face: the edge beside it that this round may flip, or kNone
-  std::vector<std::atomic<char>> marked_;  // of every edge: it is in a list already
+  UnsetVector<Normal> normal_;             // [face]
+  UnsetVector<float> rough_;               // [vertex]: the usual bend
+  UnsetVector<float> gain_;                // [edge]; 0: no candidate
+  UnsetVector<Index> swept_by_;            // [face]: its edge that this round may flip, or kNone
+  std::vector<std::atomic<char>> marked_;  // [edge]: 1 if it is in a list already
   FaceTree tree_;
 };
 
 }  // namespace
 
-std::int64_t flip_to_features(Surface& film, std::vector<Index>& twins, const Cancel& cancel,
+std::int64_t flip_to_features(Surface& surface, std::vector<Index>& twins, const Cancel& cancel,
                               const Vec3* viewpoint) {
-  return FeatureFlips(film, twins, viewpoint).run(cancel);
+  return FeatureFlips(surface, twins, viewpoint).run(cancel);
 }
 
 }  // namespace filmsticking

@@ -9,16 +9,15 @@
 
 namespace filmsticking {
 
-/// Flips edges of a film of sites so that they lie along the sharp edges of the shape and along the bends of
-/// its curved parts (as the paper does for models of CAD; section 4): the sum over edges of length times the
-/// change of normal falls with every flip, by more than the roughness around it. The sites on the film, its
-/// topology and its border stay, and no flip makes faces intersect: the tetrahedron that it sweeps is free of
-/// other faces.
+/// Flips edges of a surface of sites so that they lie along sharp edges and along the bends of curved parts
+/// (paper, section 4, for CAD models). Every flip lowers the sum over edges of length times change of normal,
+/// by more than the roughness around it. Vertices, topology and boundary stay. No flip makes faces intersect:
+/// the tetrahedron that it sweeps contains no other face.
 ///
-/// `viewpoint`: what all faces show their fronts to, before and after, or null. `twins`: the film's
-/// half_edge_twins(), before and after. Faces that are near each other should have near numbers. The same
-/// flips for any number of threads. Returns how many.
-std::int64_t flip_to_features(Surface& film, std::vector<Index>& twins, const Cancel& cancel = {},
+/// `twins`: the surface's half_edge_twins(); updated. `viewpoint`: all faces show their fronts to it, before
+/// and after; or null. Fast if near faces have near numbers. The same flips for any number of threads. Throws
+/// Cancelled. Returns the number of flips.
+std::int64_t flip_to_features(Surface& surface, std::vector<Index>& twins, const Cancel& cancel = {},
                               const Vec3* viewpoint = nullptr);
 
 }  // namespace filmsticking

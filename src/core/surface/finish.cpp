@@ -48,7 +48,7 @@ FinishedSurface finish(Surface found, const PointsView& points, const SiteSet& s
 
   std::vector<std::int32_t> ids(surface.site.size());
   parallel_each(ids.size(), [&](std::size_t v) { ids[v] = sites.input[surface.site[v]]; });
-  if (options.open && options.viewpoint == nullptr) face_viewpoint(surface, topology, monitor.cancel());
+  if (options.open && options.viewpoint == nullptr) turn_to_viewpoint(surface, topology, monitor.cancel());
   done.usable = orient_components(surface, points.at(ids), topology);
   return done;
 }

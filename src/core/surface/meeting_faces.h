@@ -9,13 +9,14 @@
 
 namespace filmsticking {
 
-/// Takes faces away from an open film until no two meet but in their common corners: that which meets most
-/// others first, and of such the one that is turned most against the faces around. Where many sites lie in
-/// one plane exactly, a few faces may be folded over onto others. The manifold stays one, with more boundary;
-/// vertices without a face are gone.
+/// Removes faces of an open surface until no two meet except in common corners. The face that meets most
+/// others goes first; among equals the one most turned against its neighbours. Where many sites lie exactly
+/// in one plane, a few faces may be folded over others. The surface stays a manifold, with more boundary.
+/// Vertices without a face are removed.
 ///
-/// The same for any numbering of vertices and faces. Faces that are near each other should have near numbers.
-/// Returns how many were taken for that. One that meets 64 others or more goes at once.
-std::int64_t remove_meeting_faces(Surface& film, const SiteGeometry& geometry, const Cancel& cancel = {});
+/// Independent of the numbering of vertices and faces. Fast if near faces have near numbers. A face that
+/// meets 64 others or more is removed at once, so that work stays linear. Throws Cancelled. Returns the
+/// number of faces removed because they meet others.
+std::int64_t remove_meeting_faces(Surface& surface, const SiteGeometry& geometry, const Cancel& cancel = {});
 
 }  // namespace filmsticking

@@ -45,26 +45,26 @@ bool orient_components(Surface& surface, const PointsView& places, const Surface
     volume[c] = enclosed_volume_sign(triangles, places);
     size[c] = rounded_volume(triangles, places, unit);
   }
-  // The largest first: a component lies only inside those that enclose more, which are turned by then. A flat
-  // one, however wide, holds nothing, whatever it is turned to by a point on its plane.
+  // Largest first: a component lies only inside larger ones, which are oriented by then. A flat one contains
+  // nothing, although a point on its plane may have a winding number.
   std::vector<Index> order;
   for (Index c = 0; c < count; ++c)
     if (closed[c]) order.push_back(c);
   std::sort(order.begin(), order.end(),
             [&](Index a, Index b) { return size[a] != size[b] ? size[a] > size[b] : a < b; });
-  std::vector<double> room = size;  // that others inside it leave
+  std::vector<double> space = size;  // its volume without the components inside it
   std::vector<char> cavity(count, 0);
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Index c = order[i];
     const Vec3 x = surface.corner(members[c][0], 0);
-    Index around = kNone;  // the smallest, which comes last
+    Index around = kNone;  // the smallest, the last in the order
     for (std::size_t j = 0; j < i; ++j) {
       const Index other = order[j];
       if ((x.array() < lo[other].array()).any() || (x.array() > hi[other].array()).any()) continue;
       if (std::abs(solid_angle_winding(surface, members[other], x)) > 0.5) around = other;
     }
-    // What does not fit in is no part of it: components of a film that cuts itself.
-    if (around != kNone && room[around] > size[c]) room[around] -= size[c], cavity[c] = !cavity[around];
+    // A component that does not fit lies inside by self-intersection only.
+    if (around != kNone && space[around] > size[c]) space[around] -= size[c], cavity[c] = !cavity[around];
     if ((volume[c] < 0) == (cavity[c] != 0)) continue;
     for (Index t : members[c]) std::swap(surface.triangles[t][1], surface.triangles[t][2]);
   }

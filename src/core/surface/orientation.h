@@ -9,14 +9,16 @@
 
 namespace filmsticking {
 
-/// Turns the closed components of a manifold so that outermost ones enclose positive volume and cavities
-/// negative volume; those with a boundary stay as they are. What a component is inside of is decided by the
-/// surface, which may be perturbed; the sign of a volume, by the true `places` of its vertices, between which
-/// there can be less than a perturbation. `topology` is that of its triangles before. False if all components
-/// are closed and none encloses any volume.
+/// Orients the closed components of a manifold: outermost ones enclose positive volume, cavities negative
+/// volume. Components with a boundary keep their orientation.
+///
+/// The positions of the surface, which may be perturbed, decide which component contains which. The exact
+/// `places` of its vertices decide the sign of a volume, which may be smaller than the perturbation.
+/// `topology`: that of the triangles before. Returns false if all components are closed and none encloses any
+/// volume.
 bool orient_components(Surface& surface, const PointsView& places, const SurfaceTopology& topology);
 
-/// The winding number of a closed surface around x: the sum of its triangles' solid angles over 4 pi.
+/// The winding number of a closed surface around x: the solid angles of its triangles, over 4 pi.
 double solid_angle_winding(const Surface& surface, const std::vector<Index>& triangles, const Vec3& x);
 
 }  // namespace filmsticking

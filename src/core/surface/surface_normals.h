@@ -7,9 +7,9 @@
 
 namespace filmsticking {
 
-/// Unit normals of a film, all of whose vertices are sites, at these, outward: of the faces around each,
-/// weighed by their angle there over the square of their longest edge, since short faces tell more.
-/// `otherwise`: one per site, kept where a site is on no face, or on flat ones only.
-std::vector<Vec3> surface_normals(const Surface& film, std::vector<Vec3> otherwise);
+/// Outward unit normals at the sites of a surface. Each is the sum over the faces around a vertex, weighted
+/// by the angle there over the square of the longest edge: small faces are more reliable. All vertices must
+/// be sites. `otherwise`: one normal per site, kept where a site has no face or only flat ones.
+std::vector<Vec3> surface_normals(const Surface& surface, std::vector<Vec3> otherwise);
 
 }  // namespace filmsticking

@@ -10,22 +10,22 @@
 
 namespace filmsticking {
 
-SurfaceQuality surface_quality(const Surface& film, const SiteGeometry& geometry) {
+SurfaceQuality surface_quality(const Surface& surface, const SiteGeometry& geometry) {
   SurfaceQuality quality;
   double area = 0, sum = 0, whole = 0, wide = 0;
   std::vector<Vec3> vertex_normal(geometry.spacing.size(), Vec3::Zero());
-  for (const Corners& t : film.triangles) {
-    const Vec3 &a = film.positions[t[0]], &b = film.positions[t[1]], &c = film.positions[t[2]];
+  for (const Corners& t : surface.triangles) {
+    const Vec3 &a = surface.positions[t[0]], &b = surface.positions[t[1]], &c = surface.positions[t[2]];
     const Vec3 normal = (b - a).cross(c - a);
     const double twice = normal.norm();
     if (!(twice > 0)) continue;
     double disagree = 0, spacing = 0;
     for (Index v : t) {
-      vertex_normal[film.site[v]] += normal;
-      disagree += 1 - std::abs(normal.dot(geometry.normal[film.site[v]])) / twice;
-      spacing = std::max(spacing, geometry.spacing[film.site[v]]);
+      vertex_normal[surface.site[v]] += normal;
+      disagree += 1 - std::abs(normal.dot(geometry.normal[surface.site[v]])) / twice;
+      spacing = std::max(spacing, geometry.spacing[surface.site[v]]);
     }
-    // A face bridging a gap says no more than one sample does.
+    // A bridge face weighs as much as one sample.
     const double weight = std::min(twice, 2 * spacing * spacing);
     area += weight;
     sum += weight * disagree / 3;
@@ -36,7 +36,7 @@ SurfaceQuality surface_quality(const Surface& film, const SiteGeometry& geometry
   if (whole > 0) quality.bridging = wide / whole;
   if (area > 0) quality.disagreement = sum / area;
   std::int64_t pairs = 0, opposed = 0;
-  for (Index s : film.site)
+  for (Index s : surface.site)
     for (Index other : geometry.near[s]) {
       if (other == kNone || vertex_normal[other].isZero()) continue;
       ++pairs;
@@ -44,15 +44,17 @@ SurfaceQuality surface_quality(const Surface& film, const SiteGeometry& geometry
     }
   if (pairs > 0) quality.conflict = static_cast<double>(opposed) / static_cast<double>(pairs);
   std::vector<Index> component;
-  const std::vector<Index> twin = half_edge_twins(film.triangles, static_cast<Index>(film.positions.size()));
+  const std::vector<Index> twin =
+      half_edge_twins(surface.triangles, static_cast<Index>(surface.positions.size()));
   const std::int64_t pieces = connected_components(twin, component);
   const std::int64_t rim = std::count(twin.begin(), twin.end(), kNone);
-  const auto faces = static_cast<std::int64_t>(film.triangles.size());
+  const auto faces = static_cast<std::int64_t>(surface.triangles.size());
   const std::int64_t euler =
-      euler_characteristic(static_cast<std::int64_t>(film.positions.size()), faces, rim);
+      euler_characteristic(static_cast<std::int64_t>(surface.positions.size()), faces, rim);
   quality.handles = std::max<std::int64_t>(0, genus(pieces, euler, boundary_loops(twin)));
   quality.complexity = pieces + std::max<std::int64_t>(0, genus(pieces, euler, 0));
-  quality.off = static_cast<std::int64_t>(geometry.spacing.size()) - sites_on(film, geometry.spacing.size());
+  quality.off =
+      static_cast<std::int64_t>(geometry.spacing.size()) - sites_on(surface, geometry.spacing.size());
   return quality;
 }
 

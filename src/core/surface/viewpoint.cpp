@@ -13,24 +13,24 @@
 namespace filmsticking {
 namespace {
 
-// How far from the middle of the surface the point is looked for, in the mean distance from there, and in how
-// many directions. From nearer, between two parts that are turned against each other, both show the same
-// side.
+// Distances of trial viewpoints from the mean vertex, in the mean distance of the vertices from it. A nearer
+// one could lie between two components that face each other: both would show it the same side.
 constexpr double kDistances[] = {2, 4, 8, 32};
+// Directions of trial viewpoints.
 constexpr int kDirections = 128;
-// The best is then moved a few times by this share of its distance, then by half of that, and so on.
+// First step of the local search, as a fraction of the distance; it is halved kStepSizes - 1 times.
 constexpr double kFirstStep = 0.15;
 constexpr int kStepSizes = 4, kStepsOfOneSize = 3;
-// Edges and lines are a sample of at most about so many; of a large surface the lines are fewer, to make no
-// more tests of a face than this.
-constexpr std::size_t kEdges = 4000, kLines = 128, kFewLines = 16, kTests = 100'000'000;
-// The share of the lines that may cross the surface again: of scans from one side less than 0.3 do, in
-// noise, and of what was scanned all around half or more.
+// Most edges sampled.
+constexpr std::size_t kEdges = 4000;
+// Lines sampled: at most, and at least on a large surface, where kTests bounds the tests of a face by a line.
+constexpr std::size_t kLines = 128, kFewLines = 16, kTests = 100'000'000;
+// Fraction of lines that cross the surface again. <= 0.35: seen once. Measured: below 0.3 for noisy scans
+// from one side, 0.5 or more for scans from all sides.
 constexpr double kCrossAgain = 0.35;
-// A line may cross the surface again within so many longest edges of a face.
+// Distance along the line in longest edges of the face. Nearer crossings do not count.
 constexpr double kFaceReach = 4;
-// Edges at which a surface turns further than this, in radians, are folds at its rim, not bends, nor edges of
-// a box.
+// Turn at an edge in radians. More: a fold at the rim, neither a bend nor the edge of a box.
 constexpr double kFold = 2;
 
 struct Component {
@@ -43,7 +43,7 @@ Vec3 middle(const Surface& surface, Index t) {
   return (surface.corner(t, 0) + surface.corner(t, 1) + surface.corner(t, 2)) / 3;
 }
 
-// Where the points are: their mean, and their mean distance from it.
+// The mean of the points, and their mean distance from it.
 std::pair<Vec3, double> extent(const std::vector<Vec3>& points) {
   const auto n = static_cast<double>(points.size());
   Vec3 centre = Vec3::Zero();
@@ -53,7 +53,7 @@ std::pair<Vec3, double> extent(const std::vector<Vec3>& points) {
   return {centre, size};
 }
 
-// An edge between two faces: where it is and their unit normals.
+// An edge between two faces: its middle and their unit normals.
 struct Edge {
   Vec3 middle, left, right;
 };
@@ -75,8 +75,8 @@ std::vector<Edge> some_edges(const Surface& surface) {
   return edges;
 }
 
-// How many times the line through x along a vector meets the surface farther than that from x, in its length;
-// the face that x is in aside, if there is one.
+// How many times the line through x in a direction meets the surface at a distance of at least `beyond`, in
+// lengths of the direction. `aside`: a face that does not count.
 std::size_t crossings(const Surface& surface, const Vec3& x, const Vec3& along, double beyond,
                       Index aside = kNone) {
   return static_cast<std::size_t>(parallel_sum(surface.triangles.size(), [&](std::size_t t) {
@@ -92,8 +92,7 @@ std::size_t crossings(const Surface& surface, const Vec3& x, const Vec3& along, 
   }));
 }
 
-// The share of a sample of the faces that a test holds for, which looks at a line through each; 0 of none. Of
-// a large surface they are fewer.
+// The fraction of sampled faces for which a test of a line through them holds; 0 without faces.
 template <typename Test>
 double share_of_lines(const Surface& surface, const Cancel& cancel, const Test& test) {
   const std::size_t n = surface.triangles.size();
@@ -106,7 +105,7 @@ double share_of_lines(const Surface& surface, const Cancel& cancel, const Test& 
   return lines.size() > 0 ? static_cast<double>(held) / static_cast<double>(lines.size()) : 0;
 }
 
-// The share of a component's area that shows its front to a point.
+// The fraction of a component's area that shows its front to a point.
 double seen_from(const Surface& surface, const Component& component, const Vec3& eye) {
   double seen = 0;
   for (Index t : component.faces) {
@@ -116,8 +115,8 @@ double seen_from(const Surface& surface, const Component& component, const Vec3&
   return component.area2 > 0 ? seen / component.area2 : 0;
 }
 
-// How much it bends towards its back: over its edges, the length times the angle between their faces. Long
-// edges, across gaps, bend by chance and are counted like the others: there are few.
+// The sum over the edges of length times turn towards the back: positive if the front is convex on the whole.
+// Long edges across gaps turn by chance, but are few.
 double convexity(const Surface& surface, const SurfaceTopology& topology, const Component& component) {
   double sum = 0;
   for (Index t : component.faces)
@@ -127,7 +126,7 @@ double convexity(const Surface& surface, const SurfaceTopology& topology, const 
       const Vec3 a = surface.area_vector2(t), b = surface.area_vector2(twin / 3);
       const Vec3 edge = surface.corner(t, (k + 1) % 3) - surface.corner(t, k);
       const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
-      // The left face leans to the left and the right one to the right where it bends towards its back.
+      // Where it turns to the back, the left normal leans left and the right normal leans right.
       if (angle < kFold) sum += std::copysign(edge.norm() * angle, a.cross(b).dot(edge));
     }
   return sum;
@@ -155,7 +154,7 @@ Vec3 common_viewpoint(const Surface& surface) {
   };
   for (int i = 0; i < kDirections; ++i) {
     const double z = 1 - (2 * i + 1.0) / kDirections, r = std::sqrt(1 - z * z);
-    const double a = 2.399963229728653 * i;  // the golden angle: evenly over the sphere
+    const double a = 2.399963229728653 * i;  // the golden angle: even over the sphere
     for (const double distance : kDistances)
       consider(centre + distance * size * Vec3(r * std::cos(a), r * std::sin(a), z));
   }
@@ -174,7 +173,7 @@ Vec3 common_viewpoint(const Surface& surface) {
   return best;
 }
 
-bool seen_once(const Surface& surface, const Vec3& viewpoint, const Cancel& cancel) {
+bool is_seen_once(const Surface& surface, const Vec3& viewpoint, const Cancel& cancel) {
   const auto crossed_again = [&](Index face) {
     const Vec3 x = middle(surface, face);
     double longest = 0;
@@ -185,14 +184,14 @@ bool seen_once(const Surface& surface, const Vec3& viewpoint, const Cancel& canc
   return share_of_lines(surface, cancel, crossed_again) <= kCrossAgain;
 }
 
-double crossed_oddly(const Surface& surface, const Vec3& viewpoint, const Cancel& cancel) {
+double odd_crossing_share(const Surface& surface, const Vec3& viewpoint, const Cancel& cancel) {
   return share_of_lines(surface, cancel, [&](Index face) {
     const Vec3 x = middle(surface, face);
-    return crossings(surface, x, viewpoint - x, 0, face) % 2 == 0;  // with that of the face itself
+    return crossings(surface, x, viewpoint - x, 0, face) % 2 == 0;  // the face itself is one more
   });
 }
 
-double turned_away(const Surface& surface, const Vec3& viewpoint) {
+double turned_away_share(const Surface& surface, const Vec3& viewpoint) {
   double all = 0, away = 0;
   for (Index t = 0; t < static_cast<Index>(surface.triangles.size()); ++t) {
     const Vec3 area = surface.area_vector2(t);
@@ -202,7 +201,7 @@ double turned_away(const Surface& surface, const Vec3& viewpoint) {
   return all > 0 ? std::min(away, all - away) / all : 0;
 }
 
-Index face_viewpoint(Surface& surface, const SurfaceTopology& topology, const Cancel& cancel) {
+Index turn_to_viewpoint(Surface& surface, const SurfaceTopology& topology, const Cancel& cancel) {
   std::vector<Component> components(static_cast<std::size_t>(topology.components));
   for (Index t = 0; t < static_cast<Index>(topology.component.size()); ++t) {
     Component& component = components[topology.component[t]];
@@ -221,8 +220,8 @@ Index face_viewpoint(Surface& surface, const SurfaceTopology& topology, const Ca
   if (std::count_if(components.begin(), components.end(), [](const Component& c) { return c.open; }) == 1)
     return turned;
   const Vec3 viewpoint = common_viewpoint(surface);
-  if (!seen_once(surface, viewpoint, cancel)) return turned;
-  // The viewpoint may be behind the surface.
+  if (!is_seen_once(surface, viewpoint, cancel)) return turned;
+  // The viewpoint may be the one behind the surface.
   const bool front = seen_from(surface, *largest, viewpoint) > 0.5;
   for (const Component& component : components) {
     if (!component.open || &component == &*largest) continue;

@@ -63,7 +63,7 @@ void pcl::FilmstickingPP<PointInT>::setIndices(std::size_t row_start, std::size_
   useAllPoints();
   const std::size_t height = blob_ ? blob_->height : input_ ? input_->height : 0;
   const std::size_t width = blob_ ? blob_->width : input_ ? input_->width : 0;
-  // No sums here: they could wrap around.
+  // Differences, because sums could overflow.
   if (nb_rows > height || row_start > height - nb_rows || nb_cols > width || col_start > width - nb_cols) {
     indices_fault_ = "the window of indices is not in the cloud of " + std::to_string(height) + " rows and " +
                      std::to_string(width) + " columns";
@@ -79,7 +79,7 @@ void pcl::FilmstickingPP<PointInT>::setIndices(std::size_t row_start, std::size_
 
 template <typename PointInT>
 void pcl::FilmstickingPP<PointInT>::reconstruct(pcl::PolygonMesh& output) {
-  // Built aside, then handed over: the caller's mesh may hold anything.
+  // Not in place: the caller's mesh may hold anything.
   pcl::PolygonMesh result;
   guarded([&] { performReconstruction(result); });
   if (status_ != Status::Ok) {
@@ -92,7 +92,7 @@ void pcl::FilmstickingPP<PointInT>::reconstruct(pcl::PolygonMesh& output) {
 template <typename PointInT>
 void pcl::FilmstickingPP<PointInT>::reconstruct(pcl::PointCloud<PointInT>& points,
                                                 std::vector<pcl::Vertices>& polygons) {
-  // Built aside, then handed over: `points` may be the input cloud itself.
+  // Not in place: `points` may be the input cloud itself.
   pcl::PointCloud<PointInT> result_points;
   std::vector<pcl::Vertices> result_polygons;
   guarded([&] { performReconstruction(result_points, result_polygons); });
@@ -164,7 +164,7 @@ filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResult(
                 std::is_same_v<decltype(PointInT::y), float> &&
                 std::is_same_v<decltype(PointInT::z), float>) {
     const PointInT* first = input_->points.data();
-    // As in PCL's own types.
+    // True for PCL's own point types.
     if (!input_->empty() && &first->y == &first->x + 1 && &first->z == &first->x + 2) {
       const filmsticking::PointsView cloud(&first->x, sizeof(PointInT), input_->size());
       return filmsticking::reconstruct(cloud.at(*indices_), options, execution);
@@ -187,7 +187,7 @@ filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResultOfBlob(
   const pcl::PCLPointCloud2& blob = *blob_;
   const std::size_t x = detail::offsetOf(blob, "x"), y = detail::offsetOf(blob, "y"),
                     z = detail::offsetOf(blob, "z");
-  // Rows may be padded: the points lie at whole multiples of this, not at a constant step.
+  // Rows may be padded: points are at multiples of this, not at a constant step.
   const std::size_t unit = std::gcd<std::size_t>(blob.point_step, blob.row_step);
   const std::size_t units = blob.data.size() / unit;
   if (!indices_->empty() && y == x + sizeof(float) && z == y + sizeof(float) &&
@@ -261,7 +261,7 @@ bool pcl::FilmstickingPP<PointInT>::checkInput() {
     fail(Status::InvalidInput, message);
     return false;
   };
-  if (blob_) {  // it is the caller's, and trusted at no other place
+  if (blob_) {  // the caller's: checked here, trusted elsewhere
     const std::string fault = detail::blobFault(*blob_);
     if (!fault.empty()) return refuse(fault);
   } else if (!input_) {
@@ -271,7 +271,7 @@ bool pcl::FilmstickingPP<PointInT>::checkInput() {
   const std::size_t size = blob_ ? static_cast<std::size_t>(blob_->width) * blob_->height : input_->size();
   if (size > static_cast<std::size_t>(std::numeric_limits<pcl::index_t>::max()))
     return refuse("the cloud has more points than indices can tell");
-  if (!indices_ || fake_indices_) {  // not as PCLBase does: a copy of this object shares the indices
+  if (!indices_ || fake_indices_) {  // not in place as PCLBase does: a copy of this object shares the indices
     indices_.reset(new pcl::Indices(size));
     std::iota(indices_->begin(), indices_->end(), 0);
     fake_indices_ = true;
