@@ -183,42 +183,5 @@ TEST(FeatureFlips, EndWhenAskedTo) {
   EXPECT_THROW(flip_to_features(film, twins, Cancel{&wish}), Cancelled);
 }
 
-TEST(Meeting, Regression_PiecesOnACommonEdgeMayStillCross) {
-  // A face that leaves the common edge 01 into the tetrahedron, and one that leaves it away from it.
-  const std::vector<Vec3> at{{0, 0, 0}, {1, 0, 0}, {-0.5, 1, 1}, {-0.5, 1, -1}, {1.5, 1, 0}, {1.5, -1, 0}};
-  EXPECT_FALSE((Meeting<4, 3>(at, {0, 1, 2, 3}, {0, 1, 4}, 1e-7).in_common_corners_only()));
-  EXPECT_TRUE((Meeting<4, 3>(at, {0, 1, 2, 3}, {0, 1, 5}, 1e-7).in_common_corners_only()));
-}
-
-TEST(Meeting, IsToldByPlanesBetween) {
-  const std::vector<Vec3> at{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.2, 0.2, 0.2},
-                             {2, 2, 2}, {3, 2, 2}, {2, 3, 2}, {2, 2, 3}};
-  EXPECT_TRUE((Meeting<4, 4>(at, {0, 1, 2, 3}, {5, 6, 7, 8}, 1e-7).in_common_corners_only()));
-  EXPECT_FALSE((Meeting<4, 4>(at, {0, 1, 2, 3}, {4, 6, 7, 8}, 1e-7).in_common_corners_only()));
-  EXPECT_TRUE((Meeting<4, 3>(at, {0, 1, 2, 3}, {3, 5, 8}, 1e-7).in_common_corners_only()));
-  EXPECT_FALSE((Meeting<4, 3>(at, {0, 1, 2, 3}, {3, 4, 5}, 1e-7).in_common_corners_only()));
-}
-
-TEST(CheckManifoldWithTwins, SeesWhatIsWrong) {
-  const std::vector<Corners> tetrahedron{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
-  std::vector<Index> twins = half_edge_twins(tetrahedron, 4);
-  EXPECT_TRUE(check_manifold_with_twins(tetrahedron, 4, twins).ok());
-  EXPECT_FALSE(check_manifold_with_twins(tetrahedron, 3, twins).ok());
-  EXPECT_FALSE(check_manifold_with_twins({}, 4, {}).ok());
-  EXPECT_FALSE(check_manifold_with_twins(tetrahedron, 4, {}).ok());
-  std::swap(twins[0], twins[1]);
-  EXPECT_FALSE(check_manifold_with_twins(tetrahedron, 4, twins).ok());
-  // Two tetrahedra on one edge: its four faces pair up, but the rings at its ends are two.
-  std::vector<Corners> two = tetrahedron;
-  for (Corners c : tetrahedron) {
-    for (Index& v : c) v = v < 2 ? v : v + 2;
-    two.push_back(c);
-  }
-  std::vector<Index> both = half_edge_twins(tetrahedron, 4);
-  for (std::size_t h = 0; h < 12; ++h) both.push_back(both[h] + 12);
-  EXPECT_FALSE(check_manifold_with_twins(two, 6, both).ok());
-  EXPECT_TRUE(check_manifold_with_twins(two, 6, both).edges_simple);
-}
-
 }  // namespace
 }  // namespace filmsticking

@@ -1,376 +1,115 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Open surfaces and outliers: what is promised of them, over generated and real clouds.
+#include "surface/open_surface.h"
+
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <random>
-#include <set>
-#include <string>
+#include <vector>
 
-#include "filmsticking/reconstruct.h"
-#include "support/clouds.h"
-#include "support/surface_check.h"
+#include "support/surfaces.h"
 
 namespace filmsticking {
 namespace {
 
-Result reconstruct_open(const std::vector<Point>& points) {
-  Options options;
-  options.open_boundary = true;
-  return reconstruct(points, options);
+SiteGeometry evenly(const Surface& surface, double spacing) {
+  SiteGeometry geometry;
+  geometry.spacing.assign(surface.positions.size(), spacing);
+  return geometry;
 }
 
-void expect_open_manifold(const Result& result, const std::vector<Point>& points) {
-  ASSERT_EQ(result.status, Status::Ok) << result.message;
-  Mesh mesh;
-  for (std::int32_t i : result.vertices) mesh.positions.push_back(points.at(i));
-  mesh.triangles = result.triangles;
-  EXPECT_EQ(test::surface_fault(mesh, true), "");
-  EXPECT_TRUE(result.report.manifold);
-  EXPECT_EQ(result.report.closed, result.report.boundary_edges == 0);
-  EXPECT_EQ(result.gaps.size(), result.triangles.size());
+TEST(OpenSurface, AGapIsTheDiameterOfTheSmallestCircleAroundAFace) {
+  // Right, obtuse and equilateral.
+  const Surface faces = test::surface_of(
+      {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {0, 0, 1}, {2, 0, 1}, {1, 0.1, 1}, {1, std::sqrt(3), 1}},
+      {{0, 1, 2}, {3, 4, 5}, {3, 4, 6}});
+  SiteGeometry geometry = evenly(faces, 0.5);
+  const std::vector<float> gaps = face_gaps(faces, geometry);
+  EXPECT_FLOAT_EQ(gaps[0], 5 / 0.5F);
+  EXPECT_FLOAT_EQ(gaps[1], 2 / 0.5F);
+  EXPECT_FLOAT_EQ(gaps[2], 4 / std::sqrt(3.F) / 0.5F);
+  geometry.spacing[1] = 1;  // the largest spacing of the corners counts
+  EXPECT_FLOAT_EQ(face_gaps(faces, geometry)[0], 5);
+  EXPECT_TRUE(is_narrow(faces, faces.triangles[1], geometry));
+  EXPECT_FALSE(is_narrow(faces, faces.triangles[0], geometry));
 }
 
-// The share of the faces that the component with most of them has.
-double largest_share(const Result& result) {
-  std::vector<std::size_t> root(result.vertices.size()), count(root.size(), 0);
-  for (std::size_t v = 0; v < root.size(); ++v) root[v] = v;
-  const auto find = [&](std::size_t v) {
-    while (root[v] != v) v = root[v] = root[root[v]];
-    return v;
-  };
-  for (const Triangle& t : result.triangles) root[find(t[1])] = find(t[0]), root[find(t[2])] = find(t[0]);
-  for (const Triangle& t : result.triangles) ++count[find(t[0])];
-  return static_cast<double>(*std::max_element(count.begin(), count.end())) /
-         static_cast<double>(result.triangles.size());
+TEST(OpenSurface, AGapHasTheSameBytesInAnyNumbering) {
+  const Surface ball = test::ball();
+  Surface turned = ball;
+  for (Corners& t : turned.triangles) std::rotate(t.begin(), t.begin() + 1, t.end());
+  EXPECT_EQ(face_gaps(ball, evenly(ball, 0.1)), face_gaps(turned, evenly(ball, 0.1)));
 }
 
-// A sheet over the square [0, 2]^2, turned so that no axis is special; its points as they come.
-std::vector<Point> sheet(int n, std::uint64_t seed, double wave) {
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> uniform(0, 2);
-  std::vector<Point> points;
-  for (int i = 0; i < n; ++i) {
-    const double u = uniform(random), v = uniform(random), w = wave * std::sin(3 * u) * std::cos(2 * v);
-    points.push_back({0.6 * u - 0.8 * w, v, 0.8 * u + 0.6 * w});
+TEST(OpenSurface, BridgesGoAndManifoldsStayManifolds) {
+  const Surface sheet = test::square_sheet(12, 1);
+  test::Random random(1);
+  for (int trial = 0; trial < 50; ++trial) {
+    std::vector<float> gaps(sheet.triangles.size());
+    for (float& gap : gaps) gap = static_cast<float>(random.uniform(0, 9));
+    Surface rest = sheet;
+    remove_bridges(rest, gaps, evenly(sheet, 0.1));
+    EXPECT_LT(rest.triangles.size(), sheet.triangles.size());
+    ASSERT_FALSE(rest.triangles.empty());
+    EXPECT_TRUE(test::check(rest).manifold());
+    std::vector<char> used(rest.positions.size(), 0);
+    for (const Corners& t : rest.triangles)
+      for (Index v : t) used[v] = 1;
+    EXPECT_EQ(std::count(used.begin(), used.end(), 0), 0);  // no vertex without a face
   }
-  return points;
 }
 
-std::vector<Point> part_of_sphere(int n, std::uint64_t seed, double lowest) {
-  std::vector<Point> points;
-  for (const Point& p : test::sphere(n, seed))
-    if (p[2] > lowest) points.push_back(p);
-  return points;
+TEST(OpenSurface, AGapAboveTheLowThresholdGoesOnlyBesideABridge) {
+  const Surface sheet = test::square_sheet(6, 1);
+  std::vector<float> gaps(sheet.triangles.size(), 1);
+  gaps[30] = 6;
+  Surface rest = sheet;
+  remove_bridges(rest, gaps, evenly(sheet, 0.1));
+  EXPECT_EQ(rest.triangles.size(), sheet.triangles.size());
+  gaps[31] = 9;  // the other half of the same cell
+  remove_bridges(rest, gaps, evenly(sheet, 0.1));
+  EXPECT_EQ(rest.triangles.size(), sheet.triangles.size() - 2);
 }
 
-// Of 180 such sheets one in twenty has a handle or a patch too many, in whichever directions its axes are.
-TEST(OpenSurface, ASheetIsASheet) {
-  int others = 0;
-  for (const double wave : {0.05, 0.2, 0.4})
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-      SCOPED_TRACE(std::to_string(wave) + " " + std::to_string(seed));
-      const auto points = sheet(3000, seed, wave);
-      const Result result = reconstruct_open(points);
-      expect_open_manifold(result, points);
-      EXPECT_LE(result.report.components, 4);
-      EXPECT_LE(result.report.boundary_loops, 7);  // the rim, and a pinhole or two near it
-      EXPECT_GE(static_cast<double>(result.report.interpolated), 0.995 * static_cast<double>(points.size()));
-      others += result.report.genus != 0 || largest_share(result) < 0.99;
-    }
-  EXPECT_LE(others, 2);
-}
-
-TEST(OpenSurface, APartOfASphereIsADisc) {
-  for (const double lowest : {-0.7, 0.0, 0.5, 0.8})
-    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      SCOPED_TRACE(std::to_string(lowest) + " " + std::to_string(seed));
-      const auto points = part_of_sphere(6000, seed, lowest);
-      const Result result = reconstruct_open(points);
-      expect_open_manifold(result, points);
-      EXPECT_EQ(result.report.components, 1);
-      EXPECT_EQ(result.report.boundary_loops, 1);
-      EXPECT_EQ(result.report.genus, 0);
+TEST(OpenSurface, OfSeveralFansAtAVertexTheLargestStays) {
+  const Surface sheet = test::square_sheet(6, 1);
+  std::vector<char> keep(sheet.triangles.size(), 1);
+  const Index centre = 3 * 7 + 3;  // two of its six faces go, apart from each other
+  std::vector<Index> around;
+  for (Index t = 0; t < static_cast<Index>(keep.size()); ++t)
+    if (std::count(sheet.triangles[t].begin(), sheet.triangles[t].end(), centre) > 0) around.push_back(t);
+  ASSERT_EQ(around.size(), 6U);
+  for (const Index first : around)
+    for (const Index second : around) {
+      keep.assign(keep.size(), 1);
+      keep[first] = keep[second] = 0;
+      Surface rest = sheet;
+      keep_faces(rest, keep, evenly(sheet, 0.1));
+      EXPECT_TRUE(test::check(rest).manifold());
+      EXPECT_GE(rest.triangles.size() + 5, sheet.triangles.size());
     }
 }
 
-TEST(OpenSurface, ClosedWithoutTheOption) {
-  for (std::uint64_t seed = 1; seed <= 3; ++seed)
-    for (const auto& points : {sheet(3000, seed, 0.3), part_of_sphere(4000, seed, 0.2)}) {
-      const Result result = reconstruct(points);
-      ASSERT_EQ(result.status, Status::Ok);
-      EXPECT_TRUE(result.report.closed && result.report.manifold);
-      EXPECT_LE(result.report.components, 4);  // a wavy sheet may be closed on both sides
-      // Of a dozen such sheets 95 to 99 % are on; which, hangs on ties in the repair.
-      EXPECT_GE(static_cast<double>(result.report.interpolated), 0.95 * static_cast<double>(points.size()));
-    }
-}
-
-// Of the faces that samples support, the share of those that show their fronts along `view(p)` from their
-// first corner p.
-template <class View>
-double fronts(const Result& result, const std::vector<Point>& points, const View& view) {
-  int with = 0, against = 0;
-  for (std::size_t t = 0; t < result.triangles.size(); ++t) {
-    if (result.gaps[t] > 4) continue;
-    const auto at = [&](int k) {
-      const Point& p = points.at(result.vertices[result.triangles[t][k]]);
-      return Eigen::Vector3d(p[0], p[1], p[2]);
-    };
-    const Eigen::Vector3d a = at(0), b = at(1), c = at(2);
-    ++((b - a).cross(c - a).dot(view(a)) > 0 ? with : against);
+TEST(OpenSurface, TellsWhereSurfacesAreManifoldWithoutBridges) {
+  // Two sheets that share one vertex, and a bridge face far wider than both.
+  Surface sheet = test::square_sheet(3, 0.3);
+  std::vector<Vec3> sites = sheet.positions;
+  std::vector<Corners> triangles = sheet.triangles;
+  const auto n = static_cast<Index>(sites.size());
+  for (const Vec3& p : sheet.positions) sites.emplace_back(-p);
+  for (Corners t : sheet.triangles) {
+    for (Index& v : t) v = v == 0 ? 0 : v + n;
+    triangles.push_back(t);
   }
-  return static_cast<double>(with) / std::max(1, with + against);
-}
-
-// The share of those that are turned the way most are.
-template <class View>
-double facing(const Result& result, const std::vector<Point>& points, const View& view) {
-  const double share = fronts(result, points, view);
-  return std::max(share, 1 - share);
-}
-
-// The closed surface of a sheet wound through it, half of it seen from behind, as faces that nothing supports
-// were dearer than that.
-TEST(OpenSurface, Regression_ASheetThatIsClosedFacesOneWay) {
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    const auto cap = part_of_sphere(4000, seed, 0.2), wave = sheet(3000, seed, 0.2);
-    EXPECT_GE(facing(reconstruct(cap), cap, [](const Eigen::Vector3d& p) { return p; }), 0.98) << seed;
-    EXPECT_GE(
-        facing(reconstruct(wave), wave, [](const Eigen::Vector3d&) { return Eigen::Vector3d(-0.8, 0, 0.6); }),
-        0.98)
-        << seed;
-  }
-  for (const char* name : {"bun0.pcd", "bun4.pcd"}) {
-    const auto points = test::read_text_pcd(std::string(TEST_DATA "/") + name);
-    const Result result = reconstruct(points);
-    EXPECT_TRUE(result.report.closed) << name;
-    EXPECT_GE(result.report.interpolated, static_cast<std::int64_t>(points.size()) - 2) << name;
-    EXPECT_GE(facing(result, points, [](const Eigen::Vector3d&) { return Eigen::Vector3d(0, 0, 1); }), 0.9)
-        << name;
-  }
-}
-
-// With middles in [-1, 1]^3.
-std::vector<std::array<double, 4>> spheres(test::Random& random, int n, double least, double most) {
-  std::vector<std::array<double, 4>> all;
-  for (int i = 0; i < n; ++i)
-    all.push_back(
-        {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(least, most)});
-  return all;
-}
-
-auto towards(const Point& eye) {
-  return [eye](const Eigen::Vector3d& p) -> Eigen::Vector3d {
-    return Eigen::Vector3d(eye[0], eye[1], eye[2]) - p;
-  };
-}
-
-// A surface was seen from behind in parts, with a seam of holes through the middle of what is sampled well:
-// clusters of tetrahedra before it and behind it had met first around its rim. Pieces of their own were
-// turned by chance.
-TEST(OpenSurface, Regression_ADepthViewFacesTheCamera) {
-  const Point eye{0.3, -0.2, 6};
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    SCOPED_TRACE(seed);
-    test::Random random(seed);
-    const auto points = test::depth_view(spheres(random, 7, 0.3, 0.7), eye, 0.006);
-    const Result result = reconstruct_open(points);
-    expect_open_manifold(result, points);
-    EXPECT_FALSE(result.report.closed);
-    EXPECT_GE(static_cast<double>(result.report.interpolated), 0.995 * static_cast<double>(points.size()));
-    EXPECT_GE(facing(result, points, towards(eye)), 0.9);
-    EXPECT_GE(fronts(result, points, towards(eye)), 0.9);
-  }
-}
-
-// In noise as large as half the gaps between them, a third of the points was seen from behind: what facets
-// say of their neighbours does not reach across silhouettes, but the point that all of them are seen from
-// does.
-TEST(OpenSurface, Regression_ANoisyDepthViewFacesTheCamera) {
-  const Point eye{0.3, -0.2, 6};
-  constexpr double kPixel = 0.002, kKept = 0.3;
-  const double noise = 0.5 * eye[2] * kPixel / std::sqrt(kKept);
-  for (std::uint64_t seed = 2; seed <= 6; ++seed) {
-    SCOPED_TRACE(seed);
-    test::Random random(seed);
-    std::vector<Point> points;
-    for (Point p : test::depth_view(spheres(random, 30, 0.1, 0.27), eye, kPixel)) {
-      if (random.uniform(0, 1) > kKept) continue;
-      for (double& x : p) x += noise * random.uniform(-1, 1);
-      points.push_back(p);
-    }
-    const Result result = reconstruct_open(points);
-    expect_open_manifold(result, points);
-    // The others are faces along the lines of sight, which noise turns.
-    EXPECT_GE(fronts(result, points, towards(eye)), 0.87);
-  }
-}
-
-// Faces around two points as near as this were said to meet, and taken away: half the surface was gone.
-TEST(OpenSurface, Regression_NearPointsDoNotTearASheet) {
-  for (const double apart : {3e-8, 6e-8, 2e-7}) {
-    SCOPED_TRACE(apart);
-    std::vector<Point> points = sheet(1500, 1, 0.2), twice = points;
-    test::Random random(2);
-    for (const Point& p : points)
-      twice.push_back({p[0] + 2 * apart * random.uniform(-1, 1), p[1] + 2 * apart * random.uniform(-1, 1),
-                       p[2] + 2 * apart * random.uniform(-1, 1)});
-    const Result once = reconstruct_open(points), result = reconstruct_open(twice);
-    expect_open_manifold(result, twice);
-    // Some faces between so near points cut others.
-    EXPECT_GE(10 * result.triangles.size(), 18 * once.triangles.size());
-    EXPECT_LE(result.report.boundary_edges, 5 * once.report.boundary_edges);
-  }
-}
-
-TEST(OpenSurface, ClosedCloudsStayAsTheyAre) {
-  const std::map<std::string, std::vector<Point>> clouds = {
-      {"sphere", test::sphere(3000, 1)},
-      {"torus", test::torus(5000, 2)},
-      {"box", test::box(4000, 3, {1, 2, 1})},
-      {"thin plate", test::box(3000, 6, {1, 1, 0.02})},
-      {"spot", test::read_float_ply(TEST_DATA "/spot_10k.ply")}};
-  for (const auto& [name, points] : clouds) {
-    SCOPED_TRACE(name);
-    const Result closed = reconstruct(points), open = reconstruct_open(points);
-    EXPECT_TRUE(open.report.closed);
-    EXPECT_EQ(open.triangles, closed.triangles);
-    EXPECT_EQ(open.gaps, closed.gaps);
-  }
-}
-
-TEST(OpenSurface, AThinClosedShellIsNotTakenForASheet) {
-  // Two spheres so near that their points are as far from each other as from their neighbours.
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    auto points = test::sphere(2500, seed);
-    for (const Point& p : test::sphere(2500, seed + 100, {0, 0, 0}, 1.07)) points.push_back(p);
-    const Result result = reconstruct_open(points);
-    ASSERT_EQ(result.status, Status::Ok);
-    EXPECT_TRUE(result.report.closed);
-  }
-}
-
-TEST(OpenSurface, Regression_AFunnelOfAThinWallGotALid) {
-  // Two funnels joined at their necks, the wall a fifth as thick as the points are apart: its sides cannot be
-  // told apart, but what closes the mouths is supported by nothing.
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    std::mt19937_64 random(seed);
-    std::uniform_real_distribution<double> unit(0, 1);
-    std::vector<Point> points;
-    while (points.size() < 5000) {
-      const double z = 2 * unit(random) - 1, radius = std::sqrt(0.04 + 0.74 * z * z);
-      const double angle = 2 * std::acos(-1) * unit(random), wall = unit(random) < 0.5 ? -0.007 : 0.007;
-      if (unit(random) < radius)  // evenly by area
-        points.push_back({(radius + wall) * std::cos(angle), (radius + wall) * std::sin(angle), z});
-    }
-    const Result result = reconstruct(points);
-    ASSERT_EQ(result.status, Status::Ok) << result.message;
-    double area = 0, lids = 0;
-    for (const auto& t : result.triangles) {
-      const Eigen::Map<const Eigen::Vector3d> a(points[result.vertices[t[0]]].data()),
-          b(points[result.vertices[t[1]]].data()), c(points[result.vertices[t[2]]].data());
-      const double twice = (b - a).cross(c - a).norm();
-      area += twice;
-      if (std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()}) > 0.4) lids += twice;
-    }
-    EXPECT_LT(lids, 0.02 * area) << "seed " << seed;
-  }
-}
-
-TEST(OpenSurface, ScansFromOneSide) {
-  for (const char* name : {"bun0.pcd", "bun4.pcd"}) {
-    SCOPED_TRACE(name);
-    const auto points = test::read_text_pcd(std::string(TEST_DATA "/") + name);
-    ASSERT_GT(points.size(), 300u);
-    const Result result = reconstruct_open(points);
-    expect_open_manifold(result, points);
-    EXPECT_FALSE(result.report.closed);
-    EXPECT_GE(largest_share(result), 0.9);
-    EXPECT_GE(static_cast<double>(result.report.interpolated), 0.95 * static_cast<double>(points.size()));
-  }
-}
-
-TEST(OpenSurface, GapsAreSmallOnASampledSurfaceAndLargeAcrossAHole) {
-  const Result full = reconstruct(test::sphere(4000, 7));
-  ASSERT_EQ(full.gaps.size(), full.triangles.size());
-  EXPECT_LT(*std::max_element(full.gaps.begin(), full.gaps.end()), 5);
-  EXPECT_GT(*std::min_element(full.gaps.begin(), full.gaps.end()), 0);
-  const Result part = reconstruct(part_of_sphere(4000, 7, -0.3));
-  EXPECT_GT(*std::max_element(part.gaps.begin(), part.gaps.end()), 8);
-}
-
-TEST(Outliers, NoneOnSurfacesSampledEvenly) {
-  for (std::uint64_t seed = 1; seed <= 5; ++seed)
-    for (const auto& points : {test::sphere(3000, seed), test::torus(3000, seed),
-                               test::box(3000, seed, {1, 1, 0.1}), sheet(3000, seed, 0.3)})
-      EXPECT_EQ(reconstruct(points).report.outliers, 0);
-}
-
-TEST(Outliers, FarOnesAreLeftOffUnlessWanted) {
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    SCOPED_TRACE(seed);
-    auto points = test::sphere(4000, seed);
-    const std::size_t clean = points.size();
-    std::mt19937_64 random(seed);
-    std::uniform_real_distribution<double> uniform(-1.5, 1.5);
-    for (int i = 0; i < 200; ++i) points.push_back({uniform(random), uniform(random), uniform(random)});
-    const Result result = reconstruct(points);
-    ASSERT_EQ(result.status, Status::Ok);
-    EXPECT_GE(result.report.outliers, 100);
-    EXPECT_LE(result.report.outliers, 200);
-    EXPECT_EQ(result.report.components, 1);
-    EXPECT_EQ(result.report.genus, 0);
-    std::set<std::int32_t> on(result.vertices.begin(), result.vertices.end());
-    std::size_t sampled = 0;
-    for (std::size_t i = 0; i < clean; ++i) sampled += on.count(static_cast<std::int32_t>(i));
-    EXPECT_GE(static_cast<double>(sampled), 0.99 * static_cast<double>(clean));
-    const double spacing = std::sqrt(4 * M_PI / static_cast<double>(clean));
-    std::size_t far = 0, far_on = 0;
-    for (std::size_t i = clean; i < points.size(); ++i) {
-      const Point& p = points[i];
-      if (std::abs(std::hypot(p[0], p[1], p[2]) - 1) < 5 * spacing) continue;
-      ++far;
-      far_on += on.count(static_cast<std::int32_t>(i));
-    }
-    EXPECT_LE(6 * far_on, far);
-
-    Options all;
-    all.keep_outliers = true;
-    const Result kept = reconstruct(points, all);
-    EXPECT_EQ(kept.report.outliers, 0);
-    EXPECT_GT(kept.report.interpolated, result.report.interpolated);
-  }
-}
-
-// What comes out closed although it might be open is turned as any closed surface is.
-TEST(OpenSurface, AClosedOneEnclosesPositiveVolume) {
-  int closed = 0;
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    const std::vector<Point> points = test::awkward(seed);
-    Options options;
-    options.open_boundary = true;
-    const Result result = reconstruct(points, options);
-    if (result.status != Status::Ok || !result.report.closed) continue;
-    Mesh mesh;
-    for (const std::int32_t i : result.vertices) mesh.positions.push_back(points[i]);
-    mesh.triangles = result.triangles;
-    EXPECT_GT(test::signed_volume(mesh), 0) << seed;
-    ++closed;
-  }
-  EXPECT_GT(closed, 10);
-}
-
-TEST(Outliers, AreNotFoundWhereAllPointsAreScattered) {
-  std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  std::vector<Point> points;
-  for (int i = 0; i < 500; ++i) points.push_back({uniform(random), uniform(random), uniform(random)});
-  const Result result = reconstruct(points);
-  EXPECT_LE(result.report.outliers, 10);
+  sites.emplace_back(9, 9, 9), sites.emplace_back(9, -9, 9);
+  triangles.push_back({5, 2 * n, 2 * n + 1});
+  SiteGeometry geometry;
+  geometry.spacing.assign(sites.size(), 0.1);
+  const std::vector<char> clean = manifold_without_bridges(triangles, sites, geometry);
+  EXPECT_FALSE(clean[0]);      // two fans
+  EXPECT_TRUE(clean[5]);       // the bridge face is gone
+  EXPECT_FALSE(clean[2 * n]);  // no face is left
+  for (Index v = 1; v < n; ++v) EXPECT_TRUE(clean[v]) << v;
 }
 
 }  // namespace
