@@ -11,83 +11,136 @@ namespace filmsticking {
 namespace {
 
 constexpr int kMaxIterations = 300;
-// Of the residual, per tetrahedron; only the sign and the rough size of the field matter.
+// Mean residual per tetrahedron at which to stop. Only the sign and the rough size of the field matter.
 constexpr double kTolerance = 4e-4;
+// Added to the diagonal: a tetrahedron whose facets have no area would leave the matrix singular.
+constexpr double kDiagonal = 1e-9;
+
+/// The field's linear system, and conjugate gradients that solve it for the change to the guess. By hand:
+/// Eigen's solver would need a wrapper for the matrix, which is not stored, of the same length.
+///
+/// The unknowns are scaled by the roots of the diagonal, so that the matrix has ones there. The infinite
+/// tetrahedra are given: they have neither rows nor columns. Single precision suffices for the change.
+class FieldSystem {
+ public:
+  FieldSystem(const TetrahedralMesh& mesh, const FacetEvidence& evidence, std::vector<double> guess)
+      : mesh_(mesh),
+        evidence_(evidence),
+        size_(mesh.size()),
+        unit_(one_over_mean_area()),
+        field_(std::move(guess)),
+        coupling_(size_),
+        root_(size_),
+        residual_(size_),
+        change_(size_),
+        direction_(size_),
+        image_(size_),
+        pull_(size_) {
+    const double scale = set_diagonal();
+    residual2_ = set_residual();
+    enough_ = kTolerance * kTolerance * scale;
+  }
+
+  std::vector<double> solve(const Cancel& cancel) {
+    if (!(residual2_ > enough_)) return std::move(field_);
+    double step = 0, last = 0;
+    // Both scalar products of an iteration are taken in one pass (Chronopoulos and Gear 1989).
+    for (int iteration = 0; iteration < kMaxIterations && residual2_ > enough_; ++iteration) {
+      cancel();
+      const double curvature = apply_to_residual();
+      const double ratio = iteration == 0 ? 0 : residual2_ / last;
+      const double slope = iteration == 0 ? curvature : curvature - ratio * residual2_ / step;
+      if (!(slope > 0)) break;
+      step = residual2_ / slope;
+      last = residual2_;
+      residual2_ = advance(static_cast<float>(step), static_cast<float>(ratio));
+    }
+    parallel_each(size_, [&](std::size_t t) {
+      if (root_[t] > 0) field_[t] += double{change_[t]} / root_[t];
+    });
+    return std::move(field_);
+  }
+
+ private:
+  double one_over_mean_area() const {
+    const double total = parallel_sum(size_, [&](std::size_t t) {
+      const auto& a = evidence_.area[t];
+      return double{a[0]} + a[1] + a[2] + a[3];
+    });
+    return total > 0 ? static_cast<double>(4 * size_) / total : 1;
+  }
+
+  double strength(std::size_t t, int k) const {
+    return kVoteCoupling[evidence_.votes[t][k]] * double{evidence_.area[t][k]} * unit_;
+  }
+
+  // Returns the squared residual of a field that is wrong by one everywhere. (The usual measure, the pull of
+  // the given outside, is small for a large cloud: few of its tetrahedra touch infinite ones.)
+  double set_diagonal() {
+    return parallel_sum(size_, [&](std::size_t t) {
+      const bool given = mesh_.tets.infinite(static_cast<Index>(t));
+      double diagonal = kDiagonal;
+      for (int k = 0; k < 4; ++k) diagonal += std::abs(strength(t, k));
+      if (given) field_[t] = -1;
+      root_[t] = given ? 0 : static_cast<float>(std::sqrt(diagonal));
+      return diagonal;
+    });
+  }
+
+  // Returns the squared residual of the guess.
+  double set_residual() {
+    return parallel_sum(size_, [&](std::size_t t) {
+      coupling_[t] = {0, 0, 0, 0};
+      residual_[t] = change_[t] = direction_[t] = image_[t] = 0;
+      if (root_[t] == 0) return 0.0;
+      double row = kDiagonal * field_[t];
+      for (int k = 0; k < 4; ++k) {
+        const Index u = mesh_.tets.neighbours[t][k];
+        const double c = strength(t, k);
+        row += std::abs(c) * field_[t] - c * field_[u];
+        if (root_[u] > 0)
+          coupling_[t][k] = static_cast<float>(c / (static_cast<double>(root_[t]) * root_[u]));
+      }
+      residual_[t] = static_cast<float>(-row / root_[t]);
+      return double{residual_[t]} * residual_[t];
+    });
+  }
+
+  double apply_to_residual() {
+    return parallel_sum(size_, [&](std::size_t t) {
+      const auto& c = coupling_[t];
+      const auto& u = mesh_.tets.neighbours[t];
+      pull_[t] = residual_[t] - (c[0] * residual_[u[0]] + c[1] * residual_[u[1]] + c[2] * residual_[u[2]] +
+                                 c[3] * residual_[u[3]]);
+      return double{residual_[t]} * pull_[t];
+    });
+  }
+
+  double advance(float step, float ratio) {
+    return parallel_sum(size_, [&](std::size_t t) {
+      direction_[t] = residual_[t] + ratio * direction_[t];
+      image_[t] = pull_[t] + ratio * image_[t];
+      change_[t] += step * direction_[t];
+      residual_[t] -= step * image_[t];
+      return double{residual_[t]} * residual_[t];
+    });
+  }
+
+  const TetrahedralMesh& mesh_;
+  const FacetEvidence& evidence_;
+  const std::size_t size_;
+  const double unit_;
+  std::vector<double> field_;
+  UnsetVector<std::array<float, 4>> coupling_;
+  UnsetVector<float> root_, residual_, change_, direction_, image_, pull_;
+  double residual2_ = 0, enough_ = 0;
+};
 
 }  // namespace
 
 std::vector<double> signed_field(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
                                  std::vector<double> guess, const Cancel& cancel) {
-  const std::size_t n = mesh.size();
-  std::vector<double> x = std::move(guess);
-  const double total = parallel_sum(n, [&](std::size_t t) {
-    const auto& a = evidence.area[t];
-    return double{a[0]} + a[1] + a[2] + a[3];
-  });
-  const double unit = total > 0 ? static_cast<double>(4 * n) / total : 1;
-  auto given = [&](std::size_t t) { return mesh.tets.infinite(static_cast<Index>(t)); };
-  // With the unknowns scaled by the roots of the diagonal, the matrix has ones on it. The given ones have
-  // neither rows nor columns. Single precision is enough for what is added to the guess.
-  UnsetVector<std::array<float, 4>> coupling(n);
-  UnsetVector<float> root(n), residual(n), change(n), direction(n), image(n), pull(n);
-  auto strength = [&](std::size_t t, int k) {
-    return kVoteCoupling[evidence.votes[t][k]] * double{evidence.area[t][k]} * unit;
-  };
-  // The residual that a field would have which is wrong by one everywhere. (What the given outside pulls at,
-  // the usual measure, is little for a large cloud: few of its tetrahedra are beside infinite ones.)
-  const double scale = parallel_sum(n, [&](std::size_t t) {
-    double diagonal = 1e-9;
-    for (int k = 0; k < 4; ++k) diagonal += std::abs(strength(t, k));
-    if (given(t)) x[t] = -1;
-    root[t] = given(t) ? 0 : static_cast<float>(std::sqrt(diagonal));
-    return diagonal;
-  });
-  double rr = parallel_sum(n, [&](std::size_t t) {
-    coupling[t] = {0, 0, 0, 0};
-    residual[t] = change[t] = direction[t] = image[t] = 0;
-    if (root[t] == 0) return 0.0;
-    double row = 1e-9 * x[t];
-    for (int k = 0; k < 4; ++k) {
-      const Index u = mesh.tets.neighbours[t][k];
-      const double c = strength(t, k);
-      row += std::abs(c) * x[t] - c * x[u];
-      if (root[u] > 0) coupling[t][k] = static_cast<float>(c / (static_cast<double>(root[t]) * root[u]));
-    }
-    residual[t] = static_cast<float>(-row / root[t]);
-    return double{residual[t]} * residual[t];
-  });
-  const double enough = kTolerance * kTolerance * scale;
-  if (!(rr > enough)) return x;
-
-  double step = 0, last = 0;
-  // Conjugate gradients with both products of an iteration taken at once (Chronopoulos and Gear 1989).
-  for (int iteration = 0; iteration < kMaxIterations && rr > enough; ++iteration) {
-    cancel();
-    const double curvature = parallel_sum(n, [&](std::size_t t) {
-      const auto& c = coupling[t];
-      const auto& u = mesh.tets.neighbours[t];
-      pull[t] = residual[t] - (c[0] * residual[u[0]] + c[1] * residual[u[1]] + c[2] * residual[u[2]] +
-                               c[3] * residual[u[3]]);
-      return double{residual[t]} * pull[t];
-    });
-    const double ratio = iteration == 0 ? 0 : rr / last;
-    const double slope = iteration == 0 ? curvature : curvature - ratio * rr / step;
-    if (!(slope > 0)) break;
-    step = rr / slope;
-    last = rr;
-    const float a = static_cast<float>(step), b = static_cast<float>(ratio);
-    rr = parallel_sum(n, [&](std::size_t t) {
-      direction[t] = residual[t] + b * direction[t];
-      image[t] = pull[t] + b * image[t];
-      change[t] += a * direction[t];
-      residual[t] -= a * image[t];
-      return double{residual[t]} * residual[t];
-    });
-  }
-  parallel_each(n, [&](std::size_t t) {
-    if (root[t] > 0) x[t] += double{change[t]} / root[t];
-  });
-  return x;
+  return FieldSystem(mesh, evidence, std::move(guess)).solve(cancel);
 }
 
 }  // namespace filmsticking

@@ -30,7 +30,7 @@ Surface film_step(const Surface& film, const PowerDiagram& diagram, RingChoice r
 
 namespace {
 
-// Steps without a new site on the film after which it counts as stalled.
+// After so many steps without a further site on the film it counts as stalled.
 constexpr std::int64_t kPatience = 3;
 
 std::vector<Index> sites_off(const Surface& film, std::size_t points) {
@@ -43,78 +43,116 @@ std::vector<Index> sites_off(const Surface& film, std::size_t points) {
   return off;
 }
 
+class Evolution {
+ public:
+  Evolution(Surface film, const std::vector<Vec3>& sites, std::size_t points, const PowerDiagram& voronoi,
+            const FilmOptions& options)
+      : film_(std::move(film)),
+        sites_(sites),
+        points_(points),
+        voronoi_(voronoi),
+        options_(options),
+        present_(sites.size(), 1),
+        virtual_left_(static_cast<std::int64_t>(sites.size() - points)) {
+    if (virtual_left_ == 0) return;
+    triangulation_ = std::make_unique<DelaunayTriangulation>(sites);
+    with_virtual_ = triangulation_->voronoi();
+  }
+
+  // Ends: virtual sites only leave. Between two stalls kPatience bounds the steps for each rise of best_on_.
+  // A stall without a rise since the stall before is the last, and max_steps bounds it all.
+  Surface run() {
+    for (int step = 0; step < options_.max_steps; ++step) {
+      const auto start = std::chrono::steady_clock::now();
+      StepRecord record;
+      record.round = options_.round;
+      Surface next = next_film(record);
+      if (next.triangles.empty()) break;
+      const bool left = release_virtual_sites(next);
+      film_ = std::move(next);
+      record.attracted = sites_on(film_, points_);
+      record.virtual_left = virtual_left_;
+      record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      if (options_.after_step && !options_.after_step(record, film_)) break;
+      if (!goes_on(record.attracted, left)) break;
+    }
+    return std::move(film_);
+  }
+
+ private:
+  Surface next_film(StepRecord& record) const {
+    const PowerDiagram* diagram = virtual_left_ > 0 ? &with_virtual_ : &voronoi_;
+    PowerDiagram weighted;
+    if (weighted_next_) {
+      std::vector<double> weights;
+      record.weighted =
+          static_cast<std::int64_t>(attraction_weights(film_, sites_, sites_off(film_, points_), weights));
+      weighted = weighted_power_diagram(sites_, weights, present_);
+      diagram = &weighted;
+    }
+    RepairCounts counts;
+    Surface next = film_step(film_, *diagram, options_.ring, counts);
+    record.regions_repaired = counts.total();
+    return next;
+  }
+
+  // Removes from the diagram the virtual sites that are on the film. Did any leave?
+  bool release_virtual_sites(Surface& film) {
+    bool left = false;
+    for (Index& s : film.site)
+      if (s != kNone && static_cast<std::size_t>(s) >= points_) {
+        triangulation_->remove(s);
+        present_[s] = 0, left = true, --virtual_left_;
+        s = kNone;  // its place stays a vertex of the film, of no site, until the next step
+      }
+    if (left && virtual_left_ > 0) with_virtual_ = triangulation_->voronoi();
+    return left;
+  }
+
+  bool goes_on(std::int64_t on, bool virtual_site_left) {
+    const bool all_on = on == static_cast<std::int64_t>(points_);
+    const bool repeated = !seen_.insert(connectivity_hash(film_)).second;
+    since_best_ = on > best_on_ ? 0 : since_best_ + 1;
+    best_on_ = std::max(best_on_, on);
+    const bool was_weighted = std::exchange(weighted_next_, false);  // weights only overcome a stall
+    if (all_on && virtual_left_ > 0) {
+      // With all points on the film, the remaining virtual sites go (paper, section 4.3).
+      virtual_left_ = 0;
+      std::fill(present_.begin() + static_cast<std::ptrdiff_t>(points_), present_.end(), 0);
+      seen_.clear();
+      return true;
+    }
+    // A virtual site that left changes the next step even where the film looks the same.
+    if (virtual_site_left || was_weighted || (!repeated && since_best_ < kPatience)) return true;
+    if (!options_.weights || all_on || best_on_ <= best_at_stall_) return false;
+    best_at_stall_ = best_on_;
+    weighted_next_ = true;
+    since_best_ = 0;
+    seen_.clear();
+    return true;
+  }
+
+  Surface film_;
+  const std::vector<Vec3>& sites_;
+  const std::size_t points_;
+  const PowerDiagram& voronoi_;
+  const FilmOptions& options_;
+  std::vector<char> present_;
+  std::int64_t virtual_left_;
+  // While there are virtual sites: a triangulation that they can leave, and its diagram.
+  std::unique_ptr<DelaunayTriangulation> triangulation_;
+  PowerDiagram with_virtual_;
+  // Every film met since the last stall. Coming back to one means that nothing new will happen.
+  std::unordered_set<std::uint64_t> seen_;
+  bool weighted_next_ = false;
+  std::int64_t best_on_ = -1, since_best_ = 0, best_at_stall_ = -1;
+};
+
 }  // namespace
 
 Surface evolve_film(Surface film, const std::vector<Vec3>& sites, std::size_t points,
                     const PowerDiagram& voronoi, const FilmOptions& options) {
-  // With virtual sites, a triangulation of their own that they can leave; without, the points' diagram.
-  std::unique_ptr<DelaunayTriangulation> triangulation;
-  PowerDiagram with_virtual;
-  std::vector<char> present(sites.size(), 1);
-  std::int64_t virtual_left = static_cast<std::int64_t>(sites.size() - points);
-  if (virtual_left > 0) {
-    triangulation = std::make_unique<DelaunayTriangulation>(sites);
-    with_virtual = triangulation->voronoi();
-  }
-  // Every film met since the last stall: coming back to one means that nothing new will happen.
-  std::unordered_set<std::uint64_t> seen;
-  bool weighted_next = false;
-  std::int64_t best = -1, since_best = 0, best_at_stall = -1;
-  // Ends: virtual sites only leave; between two stalls the steps are bounded by kPatience for each rise of
-  // `best`; a stall without a rise since the one before ends it; and max_steps bounds it all.
-  for (int step = 0; step < options.max_steps; ++step) {
-    const auto start = std::chrono::steady_clock::now();
-    StepRecord record;
-    record.round = options.round;
-    const PowerDiagram* diagram = virtual_left > 0 ? &with_virtual : &voronoi;
-    PowerDiagram weighted;
-    if (weighted_next) {
-      std::vector<double> weights;
-      record.weighted =
-          static_cast<std::int64_t>(attraction_weights(film, sites, sites_off(film, points), weights));
-      weighted = weighted_power_diagram(sites, weights, present);
-      diagram = &weighted;
-    }
-    RepairCounts counts;
-    Surface next = film_step(film, *diagram, options.ring, counts);
-    if (next.triangles.empty()) break;
-
-    bool left = false;
-    for (Index& s : next.site)
-      if (s != kNone && static_cast<std::size_t>(s) >= points) {
-        triangulation->remove(s);
-        present[s] = 0, left = true, --virtual_left;
-        s = kNone;  // its place stays a vertex of the film, of no site, until the next step
-      }
-    if (left && virtual_left > 0) with_virtual = triangulation->voronoi();
-    film = std::move(next);
-    record.attracted = sites_on(film, points);
-    record.virtual_left = virtual_left;
-    record.regions_repaired = counts.total();
-    record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (options.after_step && !options.after_step(record, film)) break;
-
-    const bool all_on = record.attracted == static_cast<std::int64_t>(points);
-    const bool repeated = !seen.insert(connectivity_hash(film)).second;
-    since_best = record.attracted > best ? 0 : since_best + 1;
-    best = std::max(best, record.attracted);
-    const bool was_weighted = std::exchange(weighted_next, false);  // weights only overcome a stall
-    if (all_on && virtual_left > 0) {
-      // Once all points are on the film, the remaining virtual sites go (paper, section 4.3).
-      virtual_left = 0;
-      std::fill(present.begin() + static_cast<std::ptrdiff_t>(points), present.end(), 0);
-      seen.clear();
-      continue;
-    }
-    // A virtual site that left changes the next step even where the film looks the same.
-    if (left || was_weighted || (!repeated && since_best < kPatience)) continue;
-    if (!options.weights || all_on || best <= best_at_stall) break;
-    best_at_stall = best;
-    weighted_next = true;
-    since_best = 0;
-    seen.clear();
-  }
-  return film;
+  return Evolution(std::move(film), sites, points, voronoi, options).run();
 }
 
 }  // namespace filmsticking

@@ -253,15 +253,33 @@ class Repair {
   void set_origin(Index h, Index orbit) { orbit_[h] = orbit, site_[h] = orbit_site_[orbit]; }
   void link(Index g, Index h) { twin_[g] = h, twin_[h] = g; }
 
-  // Takes the star of an orbit away and fills the hole. The hole's rim may touch itself; it is then filled
-  // part by part, which parts the surface there.
+  struct RimEdge {
+    Index orbit;  // at which the edge starts
+    Index rim;    // number of the edge
+  };
+
+  // Removes the star of an orbit and fills the hole. Where the hole's rim touches itself, its parts are
+  // filled one by one, which separates the surface there.
   void remove_orbit(Index o) {
-    struct RimEdge {
-      Index orbit;  // at which the edge starts
-      Index rim;    // number of the edge
-    };
-    // Rim edge i is opposite to o in its star triangle; outside_[i] lies across it: a half-edge h, or another
-    // rim edge j as -1-j. inside_[i] will be the same for the filling.
+    const std::vector<RimEdge> rim = open_star(o);
+    for (const std::vector<RimEdge>& part : simple_loops(rim)) fill_part(part);
+    glue();
+
+    std::vector<Index> affected, touched;
+    for (const RimEdge& r : rim) affected.push_back(r.orbit);
+    for (Index i = 0; i < static_cast<Index>(outside_.size()); ++i) {
+      if (outside_[i] >= 0) touched.push_back(outside_[i]), touched.push_back(next_in_face(outside_[i]));
+      if (inside_[i] >= 0) touched.push_back(inside_[i]), touched.push_back(next_in_face(inside_[i]));
+    }
+    for (Index f : fresh_)
+      for (Index k = 0; k < 3; ++k) touched.push_back(3 * f + k);
+    relabel(affected, touched);
+  }
+
+  // Removes the triangles around an orbit. Returns the rim of the hole, counter-clockwise: edge i was
+  // opposite `o` in its triangle. outside_[i] is the half-edge across it, or -1-j where that is rim edge j.
+  // inside_[i] will be the same for the filling.
+  std::vector<RimEdge> open_star(Index o) {
     std::vector<RimEdge> rim;
     outside_.clear();
     star_.clear();
@@ -272,9 +290,7 @@ class Repair {
       outside_.push_back(next_in_face(h));  // its own half-edge for now
       h = rotate(h);
     } while (h != out_[o]);
-    // Rotation by twin(prev) runs counter-clockwise, and so do the rim edges.
-    std::vector<Index> own = outside_, affected;
-    for (const RimEdge& r : rim) affected.push_back(r.orbit);
+    const std::vector<Index> own = outside_;
     for (Index& across : outside_) {
       const Index t = twin_[across];
       const auto glued = std::find(own.begin(), own.end(), t);
@@ -284,43 +300,37 @@ class Repair {
     out_[o] = kNone;
     inside_.assign(rim.size(), kNone);
     fresh_.clear();
+    return rim;
+  }
 
-    std::vector<std::vector<RimEdge>> parts;
+  // A closed walk, divided into loops that meet no orbit twice.
+  static std::vector<std::vector<RimEdge>> simple_loops(const std::vector<RimEdge>& rim) {
+    std::vector<std::vector<RimEdge>> loops;
     std::vector<RimEdge> walk;
     for (const RimEdge& r : rim) {
-      const auto twin =
+      const auto met =
           std::find_if(walk.begin(), walk.end(), [&](const RimEdge& w) { return w.orbit == r.orbit; });
-      if (twin != walk.end()) {
-        parts.emplace_back(twin, walk.end());
-        walk.erase(twin, walk.end());
+      if (met != walk.end()) {
+        loops.emplace_back(met, walk.end());
+        walk.erase(met, walk.end());
       }
       walk.push_back(r);
     }
-    parts.push_back(std::move(walk));
-    for (const auto& part : parts) {
-      if (part.size() ==
-          1) {  // a rim edge from an orbit to itself cannot be: edges join distinct sites' orbits
-        continue;
-      }
-      if (part.size() == 2) {
-        inside_[part[0].rim] = -1 - part[1].rim;
-        inside_[part[1].rim] = -1 - part[0].rim;
-        continue;
-      }
-      std::vector<Index> orbits, ports;
-      for (const RimEdge& r : part) orbits.push_back(r.orbit), ports.push_back(-1 - r.rim);
-      fill_polygon(std::move(orbits), std::move(ports));
-    }
-    glue();
+    loops.push_back(std::move(walk));
+    return loops;
+  }
 
-    std::vector<Index> touched;
-    for (Index i = 0; i < static_cast<Index>(outside_.size()); ++i) {
-      if (outside_[i] >= 0) touched.push_back(outside_[i]), touched.push_back(next_in_face(outside_[i]));
-      if (inside_[i] >= 0) touched.push_back(inside_[i]), touched.push_back(next_in_face(inside_[i]));
+  // A loop of one edge cannot be: edges join distinct sites' orbits.
+  void fill_part(const std::vector<RimEdge>& part) {
+    if (part.size() == 1) return;
+    if (part.size() == 2) {
+      inside_[part[0].rim] = -1 - part[1].rim;
+      inside_[part[1].rim] = -1 - part[0].rim;
+      return;
     }
-    for (Index f : fresh_)
-      for (Index k = 0; k < 3; ++k) touched.push_back(3 * f + k);
-    relabel(affected, touched);
+    std::vector<Index> orbits, ports;
+    for (const RimEdge& r : part) orbits.push_back(r.orbit), ports.push_back(-1 - r.rim);
+    fill_polygon(std::move(orbits), std::move(ports));
   }
 
   // Ears of a polygon of distinct orbits, best first; chords that would be double edges last.

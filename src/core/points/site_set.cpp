@@ -101,14 +101,19 @@ AxisTurn canonical_turn(const std::vector<Vec3>& points) {
   return best;
 }
 
-}  // namespace
+// A finite point and its place along the curve.
+struct Entry {
+  std::uint64_t code;
+  std::int32_t id;
+};
 
-SiteSet make_site_set(const PointsView& points) {
-  SiteSet set;
-  struct Entry {
-    std::uint64_t code;
-    std::int32_t id;
-  };
+Vec3 place_of(const PointsView& points, const Entry& entry) {
+  const Point p = points[static_cast<std::size_t>(entry.id)];
+  return {p[0], p[1], p[2]};
+}
+
+// Also sets the input's box.
+std::vector<Entry> finite_points(const PointsView& points, SiteSet& set) {
   std::vector<Entry> entries;
   entries.reserve(points.size());
   const double inf = std::numeric_limits<double>::infinity();
@@ -124,49 +129,68 @@ SiteSet make_site_set(const PointsView& points) {
     hi = hi.cwiseMax(v);
     entries.push_back({0, static_cast<std::int32_t>(i)});
   }
-  if (entries.empty()) return set;
+  if (entries.empty()) return entries;
   // Halves first: the box of extreme coordinates must not overflow.
   set.centre = lo * 0.5 + hi * 0.5;
   const double half = (hi * 0.5 - lo * 0.5).maxCoeff();
   set.side = half > 0 ? std::min(half, std::numeric_limits<double>::max() / 4) * 2 : 1;
+  return entries;
+}
 
-  const auto sort_entries = [&] {
-    parallel_each(entries.size(), [&](std::size_t i) {
-      entries[i].code = morton(set.to_unit(points[static_cast<std::size_t>(entries[i].id)]));
-    });
-    tbb::parallel_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
-      if (a.code != b.code) return a.code < b.code;
-      const Point p = points[static_cast<std::size_t>(a.id)], q = points[static_cast<std::size_t>(b.id)];
-      if (p == q) return a.id < b.id;
-      const Vec3 u = set.turn(Vec3(p[0], p[1], p[2])), v = set.turn(Vec3(q[0], q[1], q[2]));
-      return std::lexicographical_compare(u.data(), u.data() + 3, v.data(), v.data() + 3);
-    });
-  };
-  sort_entries();
-  // Equal points have equal codes and stand side by side.
-  const auto distinct = std::unique(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
-    return points[static_cast<std::size_t>(a.id)] == points[static_cast<std::size_t>(b.id)];
-  });
-  set.duplicates = std::distance(distinct, entries.end());
-  entries.erase(distinct, entries.end());
-
-  set.perturbed.resize(entries.size());  // neither turned nor perturbed yet
+void sort_along_curve(const PointsView& points, const SiteSet& set, std::vector<Entry>& entries) {
   parallel_each(entries.size(), [&](std::size_t i) {
-    set.perturbed[i] = set.to_unit(points[static_cast<std::size_t>(entries[i].id)]);
+    entries[i].code = morton(set.to_unit(points[static_cast<std::size_t>(entries[i].id)]));
   });
+  tbb::parallel_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+    if (a.code != b.code) return a.code < b.code;
+    const Vec3 p = place_of(points, a), q = place_of(points, b);
+    if (p == q) return a.id < b.id;
+    const Vec3 u = set.turn(p), v = set.turn(q);
+    return std::lexicographical_compare(u.data(), u.data() + 3, v.data(), v.data() + 3);
+  });
+}
+
+// Equal points have equal codes and stand side by side. Returns how many were dropped.
+std::int64_t drop_repeated(const PointsView& points, std::vector<Entry>& entries) {
+  const auto distinct = std::unique(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+    return place_of(points, a) == place_of(points, b);
+  });
+  const std::int64_t repeated = std::distance(distinct, entries.end());
+  entries.erase(distinct, entries.end());
+  return repeated;
+}
+
+// Moved by less than kPerturbation along each axis, by a hash of the coordinates.
+Vec3 perturbed(const Vec3& p) {
+  std::uint64_t h = hash(p);
+  Vec3 shift;
+  for (int k = 0; k < 3; ++k) {
+    h = mix(h + 0x9e3779b97f4a7c15ULL);
+    shift[k] = (static_cast<double>(h >> 11) * (2.0 / 9007199254740992.0) - 1.0) * kPerturbation;
+  }
+  return p + shift;
+}
+
+}  // namespace
+
+SiteSet make_site_set(const PointsView& points) {
+  SiteSet set;
+  std::vector<Entry> entries = finite_points(points, set);
+  if (entries.empty()) return set;
+  sort_along_curve(points, set, entries);
+  set.duplicates = drop_repeated(points, entries);
+
+  const auto unit_place = [&](std::size_t i) {
+    return set.to_unit(points[static_cast<std::size_t>(entries[i].id)]);
+  };
+  set.perturbed.resize(entries.size());  // neither turned nor perturbed yet
+  parallel_each(entries.size(), [&](std::size_t i) { set.perturbed[i] = unit_place(i); });
   set.turn = canonical_turn(set.perturbed);
-  sort_entries();
+  sort_along_curve(points, set, entries);
   set.input.resize(entries.size());
   parallel_each(entries.size(), [&](std::size_t i) {
     set.input[i] = entries[i].id;
-    const Vec3 p = set.to_unit(points[static_cast<std::size_t>(entries[i].id)]);
-    std::uint64_t h = hash(p);
-    Vec3 shift;
-    for (int k = 0; k < 3; ++k) {
-      h = mix(h + 0x9e3779b97f4a7c15ULL);
-      shift[k] = (static_cast<double>(h >> 11) * (2.0 / 9007199254740992.0) - 1.0) * kPerturbation;
-    }
-    set.perturbed[i] = p + shift;
+    set.perturbed[i] = perturbed(unit_place(i));
   });
   return set;
 }
