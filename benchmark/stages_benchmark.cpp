@@ -38,7 +38,7 @@ class House {
     voronoi = voronoi_diagram(mesh.tets, sites);
     geometry = site_geometry(sites);
     evidence = facet_evidence(mesh, sites, geometry);
-    for (const double width : carve_widths(mesh, sites, geometry.spacing, 1, 3))
+    for (const double width : ball_widths(mesh, sites, geometry.spacing, 1, 3))
       guess.push_back(std::isfinite(width) ? std::clamp((2 - width) * 3, -1.0, 1.0) : -1);
     belief = signed_field(mesh, evidence, guess);
     inside = cut();
@@ -128,7 +128,7 @@ void register_rooms() {
   room("facet evidence",
        [](const House& h) { return facet_evidence(h.mesh, h.sites, h.geometry).cost.size(); });
   room("carve widths",
-       [](const House& h) { return carve_widths(h.mesh, h.sites, h.geometry.spacing, 1, 3).size(); });
+       [](const House& h) { return ball_widths(h.mesh, h.sites, h.geometry.spacing, 1, 3).size(); });
   room("signed field", [](const House& h) { return signed_field(h.mesh, h.evidence, h.guess).size(); });
   room("minimum cut", [](const House& h) { return h.cut().size(); });
   room("manifold labels and their boundary",

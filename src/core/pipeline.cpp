@@ -186,7 +186,7 @@ std::vector<double> Pipeline::prepare(Tetrahedra tetrahedra) {
   // Carving uses one thread for long, so the evidence runs beside it.
   const auto evidence = [&] { evidence_ = facet_evidence(mesh_, sites_.perturbed, geometry_); };
   const auto carving = [&] {
-    if (method_of(options_) == Method::Labelling) guess = carve_belief(2, kInsideSlope);
+    if (method_of(options_) == Method::Labelling) guess = ball_belief(2, kInsideSlope);
   };
   tbb::parallel_invoke(carving, evidence);
   return guess;
@@ -355,9 +355,9 @@ Pipeline::Candidate Pipeline::judged(Candidate candidate) const {
 }
 
 // 1, surely inside, from 1 / kInsideSlope spacings below the limit; -1, surely outside, from 1 / slope above.
-std::vector<double> Pipeline::carve_belief(double limit, double slope) const {
+std::vector<double> Pipeline::ball_belief(double limit, double slope) const {
   std::vector<double> belief =
-      carve_widths(mesh_, sites_.perturbed, geometry_.spacing, limit - 1 / kInsideSlope, limit + 1 / slope);
+      ball_widths(mesh_, sites_.perturbed, geometry_.spacing, limit - 1 / kInsideSlope, limit + 1 / slope);
   for (double& b : belief) b = (limit - b) * (b > limit ? slope : kInsideSlope);
   return belief;
 }
@@ -614,7 +614,7 @@ Pipeline::Candidate Pipeline::by_widths(Candidate best, bool& two_sided) {
     // Measured: no better than two sides for slabs and shells, and as slow as the others together.
     if (two_sided && carving.conviction > kConviction) continue;
     monitor_.enter("carving", monitor_.share());
-    Candidate other = judged(cut(carve_belief(carving.width, kCarveSlope), carving.conviction, best.open));
+    Candidate other = judged(cut(ball_belief(carving.width, kCarveSlope), carving.conviction, best.open));
     if (other.score() < carving.share * best.score()) best = std::move(other), two_sided = false;
   }
   return best;
@@ -691,7 +691,7 @@ std::vector<Vec3> Pipeline::with_virtual_sites(const Surface& film) const {
   std::vector<char> off(sites.size(), 1), wanted(mesh_.size(), 0);
   for (Index s : film.site)
     if (s != kNone) off[s] = 0;
-  const std::vector<double> width = carve_widths(mesh_, sites, geometry_.spacing, 1, 2);
+  const std::vector<double> width = ball_widths(mesh_, sites, geometry_.spacing, 1, 2);
   for (std::size_t t = 0; t < mesh_.size(); ++t) {
     if (mesh_.tets.infinite(static_cast<Index>(t)) || width[t] < 2) continue;
     for (Index i : mesh_.tets.corners[t]) wanted[t] = static_cast<char>(wanted[t] | off[i]);

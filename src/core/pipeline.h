@@ -71,7 +71,7 @@ class Pipeline {
   // Evidence.
   std::vector<double> prepare(Tetrahedra tetrahedra);
   std::vector<double> off_prices() const;
-  std::vector<double> carve_belief(double limit, double slope) const;
+  std::vector<double> ball_belief(double limit, double slope) const;
   std::vector<double> winding_belief(const Surface& film) const;
   std::vector<double> film_belief(const Surface& film) const;
 

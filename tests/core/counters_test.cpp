@@ -169,7 +169,7 @@ TEST(Counters, OfFilmStepsKeepTheirBounds) {
           film, half_edge_twins(film.triangles, static_cast<Index>(film.positions.size())), diagram);
       const HalfEdgeComplex dual = dual_complex(film, restricted, diagram);
       RepairCounts counts;
-      film = surface_of_sites(manifold_repair(dual, diagram.position, RingChoice::Smooth, counts),
+      film = surface_of_sites(repair_half_edges(dual, diagram.position, RingChoice::Smooth, counts),
                               diagram.position);
       const auto cut = static_cast<std::int64_t>(dual.point.size()),
                  left = static_cast<std::int64_t>(film.triangles.size());

@@ -34,7 +34,7 @@ double gate_width(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
 
 }  // namespace
 
-std::vector<double> carve_widths(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
+std::vector<double> ball_widths(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
                                  const std::vector<double>& spacing, double least, double most) {
   least = static_cast<float>(least), most = static_cast<float>(most);  // as the gates are stored
   UnsetVector<std::array<float, 4>> gate(mesh.size());

@@ -12,7 +12,7 @@ namespace filmsticking {
 /// corners. Solids that are sampled everywhere have values below two or so; the outside has the width of the
 /// mouth that leads there. Widths are told apart between `least` and `most` only and clamped to them, which
 /// saves most of the work; infinite tetrahedra have `most`.
-std::vector<double> carve_widths(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
+std::vector<double> ball_widths(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
                                  const std::vector<double>& spacing, double least, double most);
 
 }  // namespace filmsticking

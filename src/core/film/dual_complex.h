@@ -9,7 +9,7 @@ namespace filmsticking {
 
 /// Triangles glued along half-edges: 3t, 3t+1, 3t+2 bound triangle t counter-clockwise. Every half-edge has a
 /// twin, so the whole is a closed oriented surface; but two edges may join the same sites, and a site may
-/// have several rings of triangles (orbits). manifold_repair() resolves both.
+/// have several rings of triangles (orbits). repair_half_edges() resolves both.
 struct HalfEdgeComplex {
   std::vector<Index> site;  ///< at which each half-edge starts
   std::vector<Index> twin;

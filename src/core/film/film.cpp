@@ -25,7 +25,7 @@ Surface film_step(const Surface& film, const PowerDiagram& diagram, RingChoice r
   std::vector<Index> twin = half_edge_twins(film.triangles, static_cast<Index>(film.positions.size()));
   const RestrictedPowerDiagram restricted = restrict_power_diagram(film, std::move(twin), diagram);
   const HalfEdgeComplex dual = dual_complex(film, restricted, diagram);
-  return surface_of_sites(manifold_repair(dual, diagram.position, ring, counts), diagram.position);
+  return surface_of_sites(repair_half_edges(dual, diagram.position, ring, counts), diagram.position);
 }
 
 namespace {

@@ -19,9 +19,9 @@ namespace {
 // What a ring loses, in units of its roughness, when all its neighbours have chosen another layer.
 constexpr double kCoherence = 2;
 
-class Repair {
+class HalfEdgeRepair {
  public:
-  Repair(const HalfEdgeComplex& complex, const std::vector<Vec3>& positions, RingChoice choice,
+  HalfEdgeRepair(const HalfEdgeComplex& complex, const std::vector<Vec3>& positions, RingChoice choice,
          RepairCounts& counts)
       : site_(complex.site),
         twin_(complex.twin),
@@ -500,9 +500,9 @@ double ring_roughness(const Vec3& centre, const std::vector<Vec3>& ring) {
   return sum;
 }
 
-std::vector<Corners> manifold_repair(const HalfEdgeComplex& complex, const std::vector<Vec3>& positions,
+std::vector<Corners> repair_half_edges(const HalfEdgeComplex& complex, const std::vector<Vec3>& positions,
                                      RingChoice choice, RepairCounts& counts) {
-  return Repair(complex, positions, choice, counts).run();
+  return HalfEdgeRepair(complex, positions, choice, counts).run();
 }
 
 }  // namespace filmsticking

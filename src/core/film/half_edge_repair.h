@@ -37,7 +37,7 @@ struct RepairCounts {
 ///  - flip one of two edges that join the same orbits: one double edge fewer, no triangle more;
 ///  - where no flip helps, cut along both edges and close the two rims: the Euler characteristic rises by
 ///    two, no triangle more, and it is at most the number of triangles.
-std::vector<Corners> manifold_repair(const HalfEdgeComplex& complex, const std::vector<Vec3>& positions,
+std::vector<Corners> repair_half_edges(const HalfEdgeComplex& complex, const std::vector<Vec3>& positions,
                                      RingChoice choice, RepairCounts& counts);
 
 /// The variation of normals around a ring (paper, section 4.4, xi): sum of theta_j |n_j - mean|^2 over its

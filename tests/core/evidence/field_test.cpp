@@ -150,7 +150,7 @@ TEST(WindingNumber, PlatesLeaveNoTrace) {
 
 TEST(Carve, ReachesTheOutsideAndNoSolid) {
   const Setting s(test::torus(4000, 4));
-  const auto width = carve_widths(s.mesh, s.set.perturbed, s.geometry.spacing, 0, 1e9);
+  const auto width = ball_widths(s.mesh, s.set.perturbed, s.geometry.spacing, 0, 1e9);
   int wrong = 0, deep = 0;
   for (std::size_t t = 0; t < s.mesh.size(); ++t) {
     if (s.mesh.tets.infinite(static_cast<Index>(t))) continue;

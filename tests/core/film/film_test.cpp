@@ -103,7 +103,7 @@ TEST(ManifoldRepair, MakesAManifoldOfAnyClosedComplex) {
     for (int i = 0; i < 16; ++i) positions.emplace_back(random.uniform(), random.uniform(), random.uniform());
     for (const RingChoice ring : {RingChoice::Smooth, RingChoice::Nearest}) {
       RepairCounts counts;
-      const Surface film = surface_of_sites(manifold_repair(complex, positions, ring, counts), positions);
+      const Surface film = surface_of_sites(repair_half_edges(complex, positions, ring, counts), positions);
       if (film.triangles.empty()) continue;
       ++kept;
       expect_manifold(film);
@@ -119,7 +119,7 @@ TEST(ManifoldRepair, LeavesAManifoldAlone) {
   expect_closed(tetrahedron);
   RepairCounts counts;
   const auto triangles =
-      manifold_repair(tetrahedron, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, RingChoice::Smooth, counts);
+      repair_half_edges(tetrahedron, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, RingChoice::Smooth, counts);
   EXPECT_EQ(triangles.size(), 4u);
   EXPECT_EQ(counts.total(), 0);
 }
