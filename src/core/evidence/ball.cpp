@@ -35,7 +35,7 @@ double gate_width(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
 }  // namespace
 
 std::vector<double> ball_widths(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
-                                 const std::vector<double>& spacing, double least, double most) {
+                                const std::vector<double>& spacing, double least, double most) {
   least = static_cast<float>(least), most = static_cast<float>(most);  // as the gates are stored
   UnsetVector<std::array<float, 4>> gate(mesh.size());
   parallel_each(mesh.size(), [&](std::size_t t) {

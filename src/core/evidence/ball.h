@@ -13,6 +13,6 @@ namespace filmsticking {
 /// mouth that leads there. Widths are told apart between `least` and `most` only and clamped to them, which
 /// saves most of the work; infinite tetrahedra have `most`.
 std::vector<double> ball_widths(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
-                                 const std::vector<double>& spacing, double least, double most);
+                                const std::vector<double>& spacing, double least, double most);
 
 }  // namespace filmsticking

@@ -178,8 +178,8 @@ std::vector<Corners> delaunay_triangles(const std::vector<Point2>& pixels,
 }
 
 // The triangulated image in space.
-Surface image_film(const std::vector<Vec3>& places, const Vec3& viewpoint, const std::vector<Point2>& pixels,
-                   const Cancel& cancel) {
+Surface image_surface(const std::vector<Vec3>& places, const Vec3& viewpoint,
+                      const std::vector<Point2>& pixels, const Cancel& cancel) {
   std::vector<double> distance(places.size());
   parallel_each(places.size(), [&](std::size_t i) { distance[i] = (places[i] - viewpoint).norm(); });
   std::vector<Corners> triangles = delaunay_triangles(pixels, distance, cancel);
@@ -193,13 +193,13 @@ Surface image_film(const std::vector<Vec3>& places, const Vec3& viewpoint, const
 
 // Flips edges where the other diagonal of their faces is shorter in space and both faces show their fronts
 // then.
-void flip_to_shorter(Surface& film, const Fronts& shows_front, const Cancel& cancel) {
-  std::vector<Index> twin = half_edge_twins(film.triangles, static_cast<Index>(film.positions.size()));
-  const auto origin = [&](Index h) { return film.triangles[h / 3][h % 3]; };
+void flip_to_shorter(Surface& surface, const Fronts& shows_front, const Cancel& cancel) {
+  std::vector<Index> twin = half_edge_twins(surface.triangles, static_cast<Index>(surface.positions.size()));
+  const auto origin = [&](Index h) { return surface.triangles[h / 3][h % 3]; };
   const auto front = [&](Index a, Index b, Index c) {
-    return shows_front(film.site[a], film.site[b], film.site[c]);
+    return shows_front(surface.site[a], surface.site[b], surface.site[c]);
   };
-  const auto length = [&](Index a, Index b) { return (film.positions[a] - film.positions[b]).norm(); };
+  const auto length = [&](Index a, Index b) { return (surface.positions[a] - surface.positions[b]).norm(); };
   std::vector<Index> waiting(twin.size());
   std::iota(waiting.rbegin(), waiting.rend(), 0);
   for (std::size_t turns = 0; !waiting.empty(); ++turns) {
@@ -209,14 +209,14 @@ void flip_to_shorter(Surface& film, const Fronts& shows_front, const Cancel& can
     if (g == kNone) continue;
     const Index a = origin(h), b = origin(g), c = origin(prev_in_face(h)), d = origin(prev_in_face(g));
     if (length(c, d) >= kShorter * length(a, b) || !front(d, c, a) || !front(c, d, b)) continue;
-    flip_edge(film.triangles, twin, h);
+    flip_edge(surface.triangles, twin, h);
     for (int k = 0; k < 3; ++k) waiting.push_back(h - h % 3 + k), waiting.push_back(g - g % 3 + k);
   }
 }
 
 // Of each face the gap in space, or that in the image if it is wider. Some pixels of a face seen at a grazing
 // angle are far from all others: what one sample covers is told by those around it as well.
-std::vector<float> wider_gaps(const Surface& film, const std::vector<Point2>& pixels,
+std::vector<float> wider_gaps(const Surface& surface, const std::vector<Point2>& pixels,
                               const SiteGeometry& geometry) {
   SiteGeometry in_space;
   in_space.spacing.resize(pixels.size());
@@ -225,9 +225,9 @@ std::vector<float> wider_gaps(const Surface& film, const std::vector<Point2>& pi
     in_space.spacing[i] = std::min(geometry.spacing[i], near_spacing(geometry, static_cast<Index>(i)));
     flat[i] = {pixels[i].x(), pixels[i].y(), 0};
   });
-  std::vector<float> gaps = face_gaps(film, in_space);
-  Surface image = film;
-  for (std::size_t v = 0; v < film.site.size(); ++v) image.positions[v] = flat[film.site[v]];
+  std::vector<float> gaps = face_gaps(surface, in_space);
+  Surface image = surface;
+  for (std::size_t v = 0; v < surface.site.size(); ++v) image.positions[v] = flat[surface.site[v]];
   const std::vector<float> in_image = face_gaps(image, site_geometry(flat));
   for (std::size_t t = 0; t < gaps.size(); ++t) gaps[t] = std::max(gaps[t], in_image[t]);
   return gaps;
@@ -269,11 +269,12 @@ std::optional<DepthImage> depth_image(const std::vector<Vec3>& places, const Sit
 
 std::vector<double> depth_image_sides(const TetrahedralMesh& mesh, const std::vector<Vec3>& places,
                                       const Vec3& viewpoint, const Cancel& cancel) {
-  const Surface film = image_film(places, viewpoint, flat_image(places, viewpoint), cancel);
-  const std::vector<Index> twin = half_edge_twins(film.triangles, static_cast<Index>(film.positions.size()));
+  const Surface surface = image_surface(places, viewpoint, flat_image(places, viewpoint), cancel);
+  const std::vector<Index> twin =
+      half_edge_twins(surface.triangles, static_cast<Index>(surface.positions.size()));
   std::vector<Index> face_of(places.size(), kNone);  // one of the faces at each site that has some
-  for (std::size_t t = 0; t < film.triangles.size(); ++t)
-    for (const Index v : film.triangles[t]) face_of[film.site[v]] = static_cast<Index>(t);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (const Index v : surface.triangles[t]) face_of[surface.site[v]] = static_cast<Index>(t);
   std::vector<double> side(mesh.size(), -1);
   parallel_each(side.size(), [&](std::size_t t) {
     if (mesh.tets.infinite(static_cast<Index>(t))) return;
@@ -289,12 +290,12 @@ std::vector<double> depth_image_sides(const TetrahedralMesh& mesh, const std::ve
     for (int steps = 0, turned = 1; turned != 0 && steps < kLongestWalk; ++steps) {
       turned = 0;
       for (int k = 0; k < 3 && turned == 0; ++k) {
-        const Vec3 a = film.corner(face, k) - viewpoint, b = film.corner(face, (k + 1) % 3) - viewpoint;
+        const Vec3 a = surface.corner(face, k) - viewpoint, b = surface.corner(face, (k + 1) % 3) - viewpoint;
         const Index next = twin[3 * face + k];
         if (a.cross(b).dot(middle - viewpoint) > 0 && next != kNone) face = next / 3, turned = 1;
       }
     }
-    side[t] = film.area_vector2(face).dot(middle - film.corner(face, 0)) > 0 ? -1 : 1;
+    side[t] = surface.area_vector2(face).dot(middle - surface.corner(face, 0)) > 0 ? -1 : 1;
   });
   const auto volume = [&](double of) {
     return parallel_sum(side.size(), [&](std::size_t t) {
@@ -314,10 +315,10 @@ std::vector<double> depth_image_sides(const TetrahedralMesh& mesh, const std::ve
 Surface depth_image_surface(const std::vector<Vec3>& places, const Vec3& viewpoint,
                             const SiteGeometry& geometry, const Cancel& cancel) {
   const std::vector<Point2> pixels = flat_image(places, viewpoint);
-  Surface film = image_film(places, viewpoint, pixels, cancel);
-  flip_to_shorter(film, Fronts(places, viewpoint), cancel);
-  remove_bridges(film, wider_gaps(film, pixels, geometry), geometry);
-  return film;
+  Surface surface = image_surface(places, viewpoint, pixels, cancel);
+  flip_to_shorter(surface, Fronts(places, viewpoint), cancel);
+  remove_bridges(surface, wider_gaps(surface, pixels, geometry), geometry);
+  return surface;
 }
 
 }  // namespace filmsticking

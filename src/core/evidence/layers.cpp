@@ -16,7 +16,7 @@ namespace {
 // Sites that are looked at, about, and between two looks at the caller's stop; and the neighbours that a
 // smooth surface is fitted to.
 constexpr std::size_t kLookedAt = 2000, kAtATime = 64, kAround = 40;
-// A film is against a plane whose normal disagrees with those of its faces by so much.
+// A surface is against a plane whose normal disagrees with those of its faces by so much.
 constexpr double kAgainst = 0.3;
 // The share of the neighbours' variance off their plane (SiteGeometry) that noise has at least, where it
 // turns faces so far.
@@ -58,27 +58,27 @@ double kurtosis(const std::vector<Vec3>& points) {
 
 }  // namespace
 
-double share_between_layers(const Surface& film, const std::vector<Vec3>& places,
+double share_between_layers(const Surface& surface, const std::vector<Vec3>& places,
                             const SiteGeometry& geometry, const Cancel& cancel) {
-  std::vector<double> against(film.site.size(), 0), area(film.site.size(), 0);
-  for (Index t = 0; t < static_cast<Index>(film.triangles.size()); ++t) {
-    const Vec3 normal = film.area_vector2(t);
-    for (const Index v : film.triangles[t]) {
+  std::vector<double> against(surface.site.size(), 0), area(surface.site.size(), 0);
+  for (Index t = 0; t < static_cast<Index>(surface.triangles.size()); ++t) {
+    const Vec3 normal = surface.area_vector2(t);
+    for (const Index v : surface.triangles[t]) {
       area[v] += normal.norm();
-      against[v] += normal.norm() - std::abs(normal.dot(geometry.normal[film.site[v]]));
+      against[v] += normal.norm() - std::abs(normal.dot(geometry.normal[surface.site[v]]));
     }
   }
   const PointTree tree(places);
-  const EveryNth looked(film.site.size(), kLookedAt);
+  const EveryNth looked(surface.site.size(), kLookedAt);
   double between = 0;
   for (std::size_t begin = 0; begin < looked.size(); begin += kAtATime) {
     cancel();
     between += parallel_sum(std::min(looked.size(), begin + kAtATime) - begin, [&](std::size_t k) {
       const std::size_t v = looked[begin + k];
       if (against[v] <= kAgainst * area[v]) return 0;
-      if (geometry.variation[film.site[v]] < kNoise) return 1;
+      if (geometry.variation[surface.site[v]] < kNoise) return 1;
       std::vector<Vec3> around;
-      for (const Index i : tree.nearest(film.positions[v], kAround)) around.push_back(places[i]);
+      for (const Index i : tree.nearest(surface.positions[v], kAround)) around.push_back(places[i]);
       return kurtosis(around) < kOneLayer ? 1 : 0;
     });
   }

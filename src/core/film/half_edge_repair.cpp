@@ -22,7 +22,7 @@ constexpr double kCoherence = 2;
 class HalfEdgeRepair {
  public:
   HalfEdgeRepair(const HalfEdgeComplex& complex, const std::vector<Vec3>& positions, RingChoice choice,
-         RepairCounts& counts)
+                 RepairCounts& counts)
       : site_(complex.site),
         twin_(complex.twin),
         point_(complex.point),
@@ -501,7 +501,7 @@ double ring_roughness(const Vec3& centre, const std::vector<Vec3>& ring) {
 }
 
 std::vector<Corners> repair_half_edges(const HalfEdgeComplex& complex, const std::vector<Vec3>& positions,
-                                     RingChoice choice, RepairCounts& counts) {
+                                       RingChoice choice, RepairCounts& counts) {
   return HalfEdgeRepair(complex, positions, choice, counts).run();
 }
 

@@ -38,7 +38,7 @@ struct RepairCounts {
 ///  - where no flip helps, cut along both edges and close the two rims: the Euler characteristic rises by
 ///    two, no triangle more, and it is at most the number of triangles.
 std::vector<Corners> repair_half_edges(const HalfEdgeComplex& complex, const std::vector<Vec3>& positions,
-                                     RingChoice choice, RepairCounts& counts);
+                                       RingChoice choice, RepairCounts& counts);
 
 /// The variation of normals around a ring (paper, section 4.4, xi): sum of theta_j |n_j - mean|^2 over its
 /// triangles, theta_j the angle at `centre`; `ring` holds the neighbours in order.
