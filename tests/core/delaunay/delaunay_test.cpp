@@ -150,23 +150,6 @@ TEST(Delaunay, TiesAreNoticed) {
   EXPECT_EQ(delaunay_tetrahedra(twice).size(), 5u);  // one, and four infinite ones
 }
 
-TEST(Delaunay, CanonicalOrderForgetsTheOrder) {
-  const std::vector<Vec3> sites = along_curve(nasty_clouds(500, 3)[0].points);
-  const Tetrahedra canonical = delaunay_tetrahedra(sites);
-  Tetrahedra shuffled;
-  const auto n = static_cast<Index>(canonical.size());
-  std::vector<Index> place(canonical.size());
-  for (Index t = 0; t < n; ++t) place[t] = n - 1 - t;
-  shuffled.corners.resize(canonical.size()), shuffled.neighbours.resize(canonical.size());
-  for (Index t = 0; t < n; ++t)
-    for (int k = 0; k < 4; ++k) {
-      const int turned = t % 3 == 0 || k == 3 ? k : (k + t % 3) % 3;  // three corners around the fourth
-      shuffled.corners[place[t]][turned] = canonical.corners[t][k];
-      shuffled.neighbours[place[t]][turned] = place[canonical.neighbours[t][k]];
-    }
-  expect_same(in_canonical_order(shuffled, sites.size()), canonical);
-}
-
 TEST(Delaunay, VoronoiNeighboursAreThoseOfCgal) {
   for (const Cloud& cloud : nasty_clouds(400, 5)) {
     SCOPED_TRACE(cloud.name);

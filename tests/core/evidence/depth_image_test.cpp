@@ -7,81 +7,21 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <map>
 
-#include "evidence/layers.h"
-#include "evidence/raster_viewpoint.h"
 #include "filmsticking/reconstruct.h"
 #include "geometry/meeting.h"
 #include "geometry/triangle_adjacency.h"
 #include "support/clouds.h"
+#include "support/depth_images.h"
 #include "support/surface_check.h"
 
 namespace filmsticking {
 namespace {
 
-/// The distance along a ray (x, y, 1) of the camera's frame; infinite: nothing is seen there.
-using Depth = std::function<double(double x, double y)>;
-
-/// A camera at the origin that looks along z: n by n pixels, from -1 to 1 at distance 1.
-std::vector<Vec3> image_of(const Depth& depth, int n) {
-  std::vector<Vec3> pixels;
-  for (int v = 0; v < n; ++v)
-    for (int u = 0; u < n; ++u) {
-      const double x = 2 * (u + 0.5) / n - 1, y = 2 * (v + 0.5) / n - 1, z = depth(x, y);
-      if (z < INFINITY) pixels.push_back(z * Vec3(x, y, 1));
-    }
-  return pixels;
-}
-
-double hills(double x, double y) { return 2 + 0.3 * std::sin(4 * x) * std::cos(3 * y) + 0.2 * x; }
-
-/// A ball before a slanted wall, which bulges a little: closed, a plane is a plate without volume.
-double ball_and_wall(double x, double y) {
-  const double wall = (4 + 0.2 * (x * x + y * y)) / (1 + 0.3 * x + 0.2 * y), a = x * x + y * y + 1;
-  const double d = 9 - a * (9 - 1);  // the ball: middle (0, 0, 3), radius 1
-  return d > 0 ? (3 - std::sqrt(d)) / a : wall;
-}
-
-/// Steps as of a structured-light camera: in equal disparities.
-Depth in_steps(const Depth& depth, double step) {
-  return [=](double x, double y) { return 1 / (step * std::round(1 / (step * depth(x, y)))); };
-}
-
-/// The means of those in each cell of a grid, as pcl::VoxelGrid's.
-std::vector<Vec3> thinned(const std::vector<Vec3>& places, double leaf) {
-  std::map<std::array<double, 3>, std::pair<Vec3, int>> cells;
-  for (const Vec3& p : places) {
-    auto& cell =
-        cells
-            .emplace(std::array{std::floor(p.x() / leaf), std::floor(p.y() / leaf), std::floor(p.z() / leaf)},
-                     std::pair(Vec3(Vec3::Zero()), 0))
-            .first->second;
-    cell.first += p, ++cell.second;
-  }
-  std::vector<Vec3> means;
-  for (const auto& [key, cell] : cells) means.push_back(cell.first / cell.second);
-  return means;
-}
-
-/// With noise along every axis, of that deviation.
-std::vector<Vec3> noisy(std::vector<Vec3> places, double deviation, test::Random& random) {
-  const auto normal = [&] {
-    return std::sqrt(-2 * std::log(1 - random.uniform())) * std::cos(2 * M_PI * random.uniform());
-  };
-  for (Vec3& p : places) p += deviation * Vec3(normal(), normal(), normal());
-  return places;
-}
-
-Eigen::Isometry3d random_pose(test::Random& random) {
-  const Point axis = random.direction();
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.rotate(Eigen::AngleAxisd(random.uniform(0, 3), Vec3(axis[0], axis[1], axis[2])));
-  pose.pretranslate(Vec3(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3)));
-  return pose;
-}
+using test::Depth, test::image_of, test::hills, test::ball_and_wall, test::in_steps, test::kScenes,
+    test::noisy, test::thinned;
+using test::in_unit_box, test::random_pose;
 
 /// Placed and shuffled, as floats.
 std::vector<Point> cloud_of(const std::vector<Vec3>& pixels, const Eigen::Isometry3d& pose,
@@ -93,17 +33,6 @@ std::vector<Point> cloud_of(const std::vector<Vec3>& pixels, const Eigen::Isomet
   }
   for (int i = static_cast<int>(points.size()); i > 1; --i) std::swap(points[i - 1], points[random.below(i)]);
   return points;
-}
-
-std::vector<Vec3> in_unit_box(const std::vector<Vec3>& places, const Eigen::Isometry3d& pose,
-                              Vec3& viewpoint) {
-  Eigen::AlignedBox3d box;
-  std::vector<Vec3> unit;
-  for (const Vec3& p : places) unit.push_back(pose * p), box.extend(unit.back());
-  const double side = box.sizes().maxCoeff();
-  for (Vec3& p : unit) p = (p - box.center()) / side;
-  viewpoint = (pose.translation() - box.center()) / side;
-  return unit;
 }
 
 Result reconstruct_open(const std::vector<Point>& points, std::optional<Point> viewpoint = {}) {
@@ -131,48 +60,6 @@ double backs(const Mesh& mesh, const Vec3& viewpoint) {
     against += !((at(t[1]) - a).cross(at(t[2]) - a).dot(viewpoint - a) > 0);
   }
   return against / static_cast<double>(mesh.triangles.size());
-}
-
-const std::pair<const char*, Depth> kScenes[] = {{"hills", hills},
-                                                 {"ball and wall", ball_and_wall},
-                                                 {"hills in steps", in_steps(hills, 0.004)},
-                                                 {"ball and wall in steps", in_steps(ball_and_wall, 0.003)}};
-
-TEST(RasterViewpoint, IsWhereTheRowsMeet) {
-  for (const auto& [name, depth] : kScenes)
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-      SCOPED_TRACE(std::string(name) + " " + std::to_string(seed));
-      test::Random random(seed);
-      std::vector<Vec3> pixels = image_of(depth, 80);
-      // Some pixels are missing in every image.
-      pixels.erase(
-          std::remove_if(pixels.begin(), pixels.end(), [&](const Vec3&) { return random.uniform() < 0.1; }),
-          pixels.end());
-      Vec3 viewpoint;
-      const auto places = in_unit_box(pixels, random_pose(random), viewpoint);
-      const auto found = depth_image(places, site_geometry(places), {});
-      ASSERT_TRUE(found);
-      EXPECT_LT((found->viewpoint - viewpoint).norm(), 0.02);
-    }
-}
-
-TEST(RasterViewpoint, OfNoRasterIsNothing) {
-  const auto found = [](const std::vector<Vec3>& places) {
-    return raster_viewpoint(places, site_geometry(places));
-  };
-  EXPECT_FALSE(found({}));
-  EXPECT_FALSE(found({Vec3(0, 0, 0)}));
-  EXPECT_FALSE(found({Vec3(0, 0, 0), Vec3(0.1, 0, 0), Vec3(-0.1, 0, 0)}));
-  std::vector<Vec3> flat;  // whose rows lie on lines
-  for (int i = 0; i < 400; ++i) flat.push_back({i % 20 / 20.0 - 0.5, i / 20 / 20.0 - 0.5, 0});
-  EXPECT_FALSE(found(flat));
-  for (std::uint64_t seed = 1; seed <= 5; ++seed)
-    for (const auto& points :
-         {test::sphere(4000, seed), test::torus(4000, seed), test::ellipsoid(4000, seed, 0)}) {
-      std::vector<Vec3> places;
-      for (const Point& p : points) places.push_back(Vec3(p[0], p[1], p[2]) / 4);
-      EXPECT_FALSE(found(places)) << seed;
-    }
 }
 
 /// An image of the hills whose pixels are beside their places, so that rows are none.
@@ -255,32 +142,6 @@ TEST(DepthImage, RegularSamplesOfAClosedShapeAreNone) {
       }
     ++shape;
   }
-}
-
-// A wavy sheet with noise, in spacings, is one layer, and what has two in places is not.
-TEST(Layers, AreToldFromNoise) {
-  constexpr int kPoints = 4000;
-  const double spacing = 2 / std::sqrt(kPoints);
-  const auto share = [&](double noise, double apart, double of_area, std::uint64_t seed) {
-    test::Random random(seed);
-    std::vector<Vec3> places;
-    for (int i = 0; i < kPoints; ++i) {
-      const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
-      const bool behind = x > 1 - 2 * of_area && random.below(2) == 0;
-      places.emplace_back(x, y, 6 + 0.2 * std::sin(3 * x) * std::cos(2 * y) + (behind ? apart * spacing : 0));
-    }
-    places = noisy(places, noise * spacing, random);
-    const SiteGeometry geometry = site_geometry(places);
-    return share_between_layers(depth_image_surface(places, Vec3::Zero(), geometry), places, geometry);
-  };
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    for (const double noise : {0.0, 0.1, 0.25, 0.5}) EXPECT_LE(share(noise, 0, 0, seed), 0.04) << noise;
-    for (const double apart : {0.75, 1.5, 3.0, 5.0}) {
-      EXPECT_GE(share(0, apart, 1, seed), 0.15) << apart;
-      EXPECT_GE(share(0, apart, 0.5, seed), 0.07) << apart;
-    }
-  }
-  EXPECT_EQ(share_between_layers({}, {}, {}), 0);
 }
 
 // What the surface of an image is promised to be, whatever the depths.

@@ -66,5 +66,30 @@ TEST(Outliers, AreNotFoundWhereAllPointsAreScattered) {
   EXPECT_LE(result.report.outliers, 10);
 }
 
+TEST(Outliers, NoneIsDroppedWhereTheyWouldBeTooMany) {
+  // Scattered so unevenly that over a third of them would be outliers.
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    std::mt19937_64 random(seed);
+    std::lognormal_distribution<double> radius(0, 3);
+    std::normal_distribution<double> normal;
+    std::vector<Point> points;
+    for (int i = 0; i < 300; ++i) {
+      const Vec3 p = Vec3(normal(random), normal(random), normal(random)).normalized() * radius(random);
+      points.push_back({p.x(), p.y(), p.z()});
+    }
+    SiteSet set = make_site_set(points);
+    const SiteSet before = set;
+    SiteGeometry geometry = site_geometry(set.perturbed);
+    const SiteGeometry geometry_before = geometry;
+    const std::int64_t dropped = drop_outliers(set, points, geometry);
+    EXPECT_EQ(set.size() + dropped, before.size());
+    EXPECT_EQ(geometry.spacing.size(), set.size());
+    if (dropped > 0) continue;
+    EXPECT_EQ(set.perturbed, before.perturbed);
+    EXPECT_EQ(set.input, before.input);
+    EXPECT_EQ(geometry.spacing, geometry_before.spacing);
+  }
+}
+
 }  // namespace
 }  // namespace filmsticking

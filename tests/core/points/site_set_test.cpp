@@ -7,12 +7,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <random>
 #include <set>
 #include <vector>
 
-#include "points/outliers.h"
-#include "points/site_geometry.h"
 #include "support/clouds.h"
 
 namespace filmsticking {
@@ -102,31 +99,6 @@ TEST(SiteSet, ReadsPointsWhereTheyLie) {
   const SiteSet a = make_site_set(view), b = make_site_set(picked);
   EXPECT_EQ(a.perturbed, b.perturbed);
   EXPECT_EQ(a.input, b.input);
-}
-
-TEST(SiteSet, IsAsItWasWhereOutliersWouldBeTooMany) {
-  // Scattered so unevenly that over a third of them would be outliers.
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    std::mt19937_64 random(seed);
-    std::lognormal_distribution<double> radius(0, 3);
-    std::normal_distribution<double> normal;
-    std::vector<Point> points;
-    for (int i = 0; i < 300; ++i) {
-      const Vec3 p = Vec3(normal(random), normal(random), normal(random)).normalized() * radius(random);
-      points.push_back({p.x(), p.y(), p.z()});
-    }
-    SiteSet set = make_site_set(points);
-    const SiteSet before = set;
-    SiteGeometry geometry = site_geometry(set.perturbed);
-    const SiteGeometry geometry_before = geometry;
-    const std::int64_t dropped = drop_outliers(set, points, geometry);
-    EXPECT_EQ(set.size() + dropped, before.size());
-    EXPECT_EQ(geometry.spacing.size(), set.size());
-    if (dropped > 0) continue;
-    EXPECT_EQ(set.perturbed, before.perturbed);
-    EXPECT_EQ(set.input, before.input);
-    EXPECT_EQ(geometry.spacing, geometry_before.spacing);
-  }
 }
 
 }  // namespace
