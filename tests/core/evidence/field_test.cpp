@@ -10,13 +10,8 @@
 #include "film/film.h"
 #include "film/poisson.h"
 #include "film/winding_number.h"
-#include "labelling/manifold_labels.h"
-#include "labelling/minimum_cut.h"
-#include "labelling/sculpt.h"
-#include "labelling/surface_sheets.h"
 #include "support/clouds.h"
 #include "support/field_setting.h"
-#include "surface/surface_quality.h"
 
 namespace filmsticking {
 namespace {
@@ -36,85 +31,6 @@ TEST(TetrahedralMesh, FacetsFaceOutAndMirrorsMatch) {
       EXPECT_GT((b - a).cross(d - a).dot(a - s.set.perturbed[c[k]]), 0);
       EXPECT_NEAR((s.mesh.circumcentre[t] - s.set.perturbed[c[k]]).norm() / s.mesh.circumradius[t], 1, 1e-6);
     }
-}
-
-// Pieces of the tetrahedra at a site, of both labels, joined through facets at the site: one by one.
-int pieces_at(const TetrahedralMesh& mesh, const std::vector<char>& inside, Index v) {
-  std::vector<Index> star;
-  for (std::size_t t = 0; t < mesh.size(); ++t)
-    for (const Index c : mesh.tets.corners[t])
-      if (c == v) star.push_back(static_cast<Index>(t));
-  std::vector<char> met(mesh.size(), 1);
-  for (const Index t : star) met[t] = 0;
-  int pieces = 0;
-  for (const Index start : star) {
-    if (met[start]) continue;
-    ++pieces;
-    std::vector<Index> stack{start};
-    for (met[start] = 1; !stack.empty();) {
-      const Index t = stack.back();
-      stack.pop_back();
-      for (int k = 0; k < 4; ++k) {
-        const Index u = mesh.tets.neighbours[t][k];
-        if (mesh.tets.corners[t][k] == v || met[u] || inside[u] != inside[t]) continue;
-        met[u] = 1;
-        stack.push_back(u);
-      }
-    }
-  }
-  return pieces;
-}
-
-TEST(SurfaceSheets, AreWhatTheStarsSay) {
-  const Setting s(test::torus(250, 3));
-  for (int turn = 0; turn < 8; ++turn) {
-    std::vector<char> inside = test::random_labels(s.mesh, static_cast<std::uint64_t>(turn));
-    if (turn % 2 == 1)  // smooth as well
-      for (std::size_t t = 0; t < inside.size(); ++t)
-        inside[t] = !s.mesh.tets.infinite(static_cast<Index>(t)) && s.mesh.circumradius[t] < 0.1 * turn;
-    const std::vector<Sheets> sheets = surface_sheets(s.mesh, inside, s.set.size());
-    for (std::size_t v = 0; v < sheets.size(); ++v) {
-      const int pieces = pieces_at(s.mesh, inside, static_cast<Index>(v));
-      EXPECT_EQ(sheets[v], pieces == 1 ? Sheets::None : pieces == 2 ? Sheets::Disc : Sheets::Other) << v;
-    }
-  }
-}
-
-// All cuts of small graphs, one by one.
-TEST(MinimumCut, IsMinimal) {
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    test::Random random(seed);
-    const int n = 2 * (2 + random.below(4));  // four arcs each: pair the arc ends at random
-    std::vector<Index> ends(4 * n);
-    for (int i = 0; i < 4 * n; ++i) ends[i] = i;
-    for (int i = 4 * n; i > 1; --i) std::swap(ends[i - 1], ends[random.below(i)]);
-    UnsetVector<std::array<Index, 4>> mirror(n);
-    CutGraph graph{mirror, {}, {}};
-    graph.capacity.assign(n, {0, 0, 0, 0});
-    for (int i = 0; i < 4 * n; i += 2) {
-      const Index a = ends[i], b = ends[i + 1];
-      mirror[a / 4][a % 4] = b, mirror[b / 4][b % 4] = a;
-      if (a / 4 != b / 4) graph.capacity[a / 4][a % 4] = graph.capacity[b / 4][b % 4] = random.below(20);
-    }
-    for (int i = 0; i < n; ++i) graph.terminal.push_back(random.below(41) - 20);
-    const CutGraph original = graph;
-    auto cost = [&](const std::vector<char>& side) {
-      std::int64_t sum = 0;
-      for (int i = 0; i < n; ++i) {
-        if (side[i] != (original.terminal[i] > 0)) sum += std::abs(original.terminal[i]);
-        for (int k = 0; k < 4; ++k)
-          if (side[i] && !side[mirror[i][k] / 4]) sum += original.capacity[i][k];
-      }
-      return sum;
-    };
-    std::int64_t least = INT64_MAX;
-    for (int bits = 0; bits < 1 << n; ++bits) {
-      std::vector<char> side(n);
-      for (int i = 0; i < n; ++i) side[i] = bits >> i & 1;
-      least = std::min(least, cost(side));
-    }
-    EXPECT_EQ(cost(minimum_cut(graph, std::vector<char>(n, 0))), least) << seed;
-  }
 }
 
 TEST(WindingNumber, IsOneInsideAndNoneOutside) {
@@ -178,46 +94,6 @@ TEST(SignedField, KnowsNestedSpheresByParity) {
     right += (field[t] > 0) == (r < 1 && r > 0.5);
   }
   EXPECT_GT(right, all * 99 / 100);
-}
-
-TEST(Sculpt, FollowsTheEvidenceWhereTheBeliefIsVague) {
-  const Setting s(test::sphere(3000, 7));
-  std::vector<double> belief(s.mesh.size(), -1);
-  for (std::size_t t = 0; t < s.mesh.size(); ++t)
-    if (!s.mesh.tets.infinite(static_cast<Index>(t))) belief[t] = s.centre(t).norm() < 0.45 ? 1 : 0;
-  std::vector<double> hold(s.mesh.size(), 0);
-  for (std::size_t t = 0; t < hold.size(); ++t)
-    for (const double area : s.evidence.area[t]) hold[t] += 0.1 * area * belief[t];
-  std::vector<char> inside = Sculptor(s.mesh, s.evidence, hold).cut();
-  const LabelCosts costs = costs_of(s);
-  ManifoldLabels manifold(s.mesh, s.geometry, costs, inside);
-  manifold.repair();
-  const Surface film = test::film_of(s, inside);
-  EXPECT_GT(film.site.size(), 2990u);
-  EXPECT_LT(surface_quality(film, s.geometry).disagreement, 0.02);
-}
-
-TEST(Sculpt, ACutThatGoesOnIsACutFromTheStart) {
-  const Setting s(test::torus(1500, 4));
-  test::Random random(5);
-  std::vector<double> hold(s.mesh.size());
-  for (std::size_t t = 0; t < hold.size(); ++t)
-    for (const double area : s.evidence.area[t]) hold[t] += random.uniform(-1, 1) * area;
-  for (const bool open : {false, true}) {
-    std::vector<double> now = hold;
-    Sculptor sculptor(s.mesh, s.evidence, now, open);
-    for (int turn = 0; turn < 5; ++turn) {
-      const std::vector<char> inside = sculptor.cut();
-      EXPECT_GT(std::count(inside.begin(), inside.end(), 1), 0);
-      EXPECT_EQ(inside, Sculptor(s.mesh, s.evidence, now, open).cut());
-      for (std::size_t t = 0; t < now.size(); ++t) {
-        if (random.below(3) > 0) continue;
-        const double before = now[t];
-        now[t] *= random.uniform(1, 3);
-        sculptor.hold_firmly(static_cast<Index>(t), before, now[t]);
-      }
-    }
-  }
 }
 
 TEST(Poisson, SeparatesInsideFromOutside) {
