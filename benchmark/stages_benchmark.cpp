@@ -19,8 +19,10 @@
 #include "geometry/nearest.h"
 #include "geometry/parallel.h"
 #include "geometry/triangle_adjacency.h"
-#include "labelling/manifold_labels.h"
+#include "labelling/labelling.h"
 #include "labelling/minimum_cut.h"
+#include "labelling/reach.h"
+#include "labelling/repair.h"
 #include "points/site_set.h"
 #include "support/clouds.h"
 #include "surface/orientation.h"
@@ -51,9 +53,9 @@ class House {
     std::vector<char> labels = inside;
     LabelCosts costs{evidence.cost, std::vector<double>(mesh.size(), 0), {}};
     for (const double spacing : geometry.spacing) costs.off.push_back(5 * spacing * spacing);
-    ManifoldLabels manifold(mesh, geometry, costs, labels);
-    manifold.repair();
-    manifold.reach();
+    Labelling labelling(mesh, geometry, costs, labels);
+    repair(labelling);
+    reach(labelling);
     return surface_of_sites(tetrahedral_boundary(mesh, labels), sites);
   }
 

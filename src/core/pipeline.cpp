@@ -21,9 +21,14 @@
 #include "film/virtual_sites.h"
 #include "film/winding_number.h"
 #include "geometry/parallel.h"
-#include "labelling/manifold_labels.h"
+#include "labelling/labelling.h"
+#include "labelling/mend.h"
+#include "labelling/reach.h"
+#include "labelling/repair.h"
 #include "labelling/sculpt.h"
 #include "labelling/two_sides.h"
+#include "labelling/unfold.h"
+#include "labelling/warp.h"
 #include "surface/open_surface.h"
 #include "surface/surface_normals.h"
 #include "surface/viewpoint.h"
@@ -263,12 +268,12 @@ Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conv
 
   monitor_.enter("manifold", monitor_.share());
   std::vector<char>& labels = cuts.first;
-  ManifoldLabels manifold(mesh_, geometry_, costs, labels, monitor_.cancel());
-  manifold.repair(exempt(labels, open));
-  manifold.warp(cuts.best);
-  manifold.unfold();
-  if (options_.insert_leftover) manifold.reach();
-  candidate.inserted = manifold.counts().reached;
+  Labelling labelling(mesh_, geometry_, costs, labels, monitor_.cancel());
+  repair(labelling, exempt(labels, open));
+  warp(labelling, cuts.best);
+  unfold(labelling);
+  if (options_.insert_leftover) reach(labelling);
+  candidate.inserted = labelling.counts.reached;
   candidate.surface = surface_of(labels, open);
   candidate.labels = std::move(labels);
   candidate.hold = std::move(costs.hold);
@@ -333,18 +338,17 @@ Pipeline::Candidate Pipeline::without_gaps(Candidate candidate, Mend mend) {
   if (candidate.labels.empty()) return candidate;
   monitor_.enter("gaps", monitor_.share());
   const LabelCosts costs{evidence_.cost, std::move(candidate.hold), off_prices()};
-  ManifoldLabels manifold(mesh_, geometry_, costs, candidate.labels, monitor_.cancel());
-  manifold.repair(exempt(candidate.labels, candidate.open));  // takes the census
+  Labelling labelling(mesh_, geometry_, costs, candidate.labels, monitor_.cancel());
+  repair(labelling, exempt(candidate.labels, candidate.open));  // takes the census
   if (mend == Mend::Plugs) {
-    manifold.fill_plugs();
-    if (manifold.counts().tunnels + manifold.counts().tears == 0) return candidate;
+    mend_plugs(labelling);
+    if (labelling.counts.tunnels + labelling.counts.tears == 0) return candidate;
   } else {
-    manifold.fill_gaps(sites_.perturbed);
-    manifold.open_cavities(sites_.perturbed);
+    filmsticking::mend(labelling, sites_.perturbed);
   }
-  manifold.unfold();
-  if (options_.insert_leftover) manifold.reach();
-  candidate.inserted += manifold.counts().reached;
+  unfold(labelling);
+  if (options_.insert_leftover) reach(labelling);
+  candidate.inserted += labelling.counts.reached;
   candidate.surface = surface_of(candidate.labels, candidate.open);
   return judged(std::move(candidate));
 }
@@ -399,10 +403,10 @@ Surface Pipeline::around_one_tetrahedron() {
   labels[fattest] = 1;
   LabelCosts costs{evidence_.cost, std::vector<double>(mesh_.size(), 0), off_prices()};
   costs.hold[fattest] = std::numeric_limits<double>::max();  // no move may remove it
-  ManifoldLabels manifold(mesh_, geometry_, costs, labels);
-  manifold.repair();  // takes the census; there is nothing to repair
-  if (options_.insert_leftover) manifold.reach();
-  report_.inserted = manifold.counts().reached;
+  Labelling labelling(mesh_, geometry_, costs, labels);
+  repair(labelling);  // takes the census; there is nothing to repair
+  if (options_.insert_leftover) reach(labelling);
+  report_.inserted = labelling.counts.reached;
   return unsorted_surface_of_sites(tetrahedral_boundary(mesh_, labels), sites_.perturbed);
 }
 

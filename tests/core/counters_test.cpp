@@ -1,164 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the rooms count: each counter's bound, which follows from what is counted, whatever the cloud; and
-// that those of repairs are (next to) none on clean clouds, so that none of them hides a defect.
+// What film steps and reports count: each counter's bound, which follows from what is counted, whatever the
+// cloud; and that repairs are (next to) none on clean clouds, so that none of them hides a defect.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 
-#include "evidence/signed_field.h"
 #include "film/dual_complex.h"
 #include "film/film.h"
 #include "film/initial_surface.h"
 #include "filmsticking/reconstruct.h"
 #include "geometry/triangle_adjacency.h"
-#include "labelling/label_islands.h"
-#include "labelling/manifold_labels.h"
-#include "labelling/sculpt.h"
 #include "points/site_set.h"
-#include "support/clouds.h"
-#include "support/field_setting.h"
+#include "support/clean_clouds.h"
 
 namespace filmsticking {
 namespace {
 
-// On the golden spiral of an ellipsoid, each shaken by up to a fifth of the spacing.
-std::vector<Point> even_ellipsoid(int n, std::uint64_t seed) {
-  test::Random random(seed);
-  std::vector<Point> points;
-  for (int i = 0; i < n; ++i) {
-    const double z = 1 - (2 * i + 1.) / n, turn = 2.399963229728653 * i, r = std::sqrt(1 - z * z);
-    const double shake = 0.2 * std::sqrt(4 * M_PI / n);
-    Point p{r * std::cos(turn), r * std::sin(turn), z};
-    for (double& x : p) x += shake * random.uniform(-1, 1);
-    const double length = std::hypot(p[0], p[1], p[2]);
-    points.push_back({p[0] / length, 0.8 * p[1] / length, 0.6 * p[2] / length});
-  }
-  return points;
-}
-
-std::map<std::string, std::vector<Point>> clean_clouds() {
-  std::map<std::string, std::vector<Point>> clouds;
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    const std::string name = " " + std::to_string(seed);
-    clouds["sphere" + name] = test::sphere(2000, seed);
-    clouds["torus" + name] = test::torus(3000, seed);
-    clouds["even ellipsoid" + name] = even_ellipsoid(2000, seed);
-    clouds["block" + name] = test::box(3000, seed, {1, 1, 1});
-    auto two = even_ellipsoid(1500, seed);
-    for (Point p : test::torus(2000, seed)) p[0] += 4, two.push_back(p);
-    clouds["two" + name] = two;
-  }
-  clouds["spot"] = test::read_float_ply(TEST_DATA "/spot_10k.ply");
-  return clouds;
-}
-
-struct Setting : test::FieldSetting {
-  LabelCosts costs;
-  std::vector<char> cut;  // by the evidence alone
-
-  explicit Setting(const std::vector<Point>& points) : FieldSetting(points), costs(costs_of(*this)) {
-    const auto belief = signed_field(mesh, evidence, std::vector<double>(mesh.size(), 0));
-    for (std::size_t t = 0; t < mesh.size(); ++t)
-      for (const double area : evidence.area[t]) costs.hold[t] += 0.1 * area * belief[t];
-    cut = Sculptor(mesh, evidence, costs.hold).cut();
-  }
-
-  std::int64_t euler(const std::vector<char>& inside) const {
-    return euler_if_manifold(*this, inside).value();
-  }
-  std::int64_t pieces(const std::vector<char>& inside) const {
-    std::vector<Index> piece;
-    return label_pieces(mesh, inside, piece);
-  }
-  std::size_t on(const std::vector<char>& inside) const { return film_of(*this, inside).site.size(); }
-};
-
-std::int64_t differences(const std::vector<char>& a, const std::vector<char>& b) {
-  std::int64_t count = 0;
-  for (std::size_t t = 0; t < a.size(); ++t) count += a[t] != b[t];
-  return count;
-}
-
-// For any labels.
-void expect_bounds(const Setting& s, std::vector<char> inside, const std::vector<char>& aim) {
-  const std::vector<char> before = inside;
-  const auto sites = static_cast<std::int64_t>(s.set.size());
-  ManifoldLabels labels(s.mesh, s.geometry, s.costs, inside);
-  const LabelCounts& counts = labels.counts();
-  labels.repair();
-  EXPECT_LE(counts.singular, sites);
-  EXPECT_EQ(counts.repairs + counts.erosions > 0, counts.singular > 0);
-  EXPECT_EQ(differences(before, inside) > 0, counts.islands + counts.repairs + counts.erosions > 0);
-  EXPECT_LE(counts.erosions, static_cast<std::int64_t>(s.mesh.size()));  // each takes one from the inside
-
-  const std::int64_t apart = differences(inside, aim);
-  labels.warp(aim);
-  EXPECT_EQ(differences(inside, aim), apart - counts.warped);  // one less with each
-
-  labels.unfold();
-  const auto flat = std::count_if(s.mesh.flat.begin(), s.mesh.flat.end(), [](int side) { return side != 0; });
-  EXPECT_LE(counts.unfolded, 8 * static_cast<std::int64_t>(flat));
-
-  const std::vector<char> warped = inside;
-  labels.reach();
-  EXPECT_LE(counts.reached, 8 * sites);
-  EXPECT_EQ(counts.reached > 0, differences(warped, inside) > 0);
-
-  const std::int64_t euler = s.euler(inside), pieces = s.pieces(inside);
-  labels.fill_gaps(s.set.perturbed);
-  // Of a surface, pieces of both labels are components and one more; Euler's characteristic is twice what
-  // there are more components than handles. A plug that is taken leaves neither more pieces nor, in sum, as
-  // many.
-  const std::int64_t fewer_pieces = pieces - s.pieces(inside),
-                     fewer_handles = (s.euler(inside) - euler) / 2 + fewer_pieces;
-  EXPECT_GE(fewer_pieces, counts.tears);
-  EXPECT_GE(fewer_handles + fewer_pieces, counts.tunnels + counts.tears);
-}
-
-TEST(Counters, OfLabelsKeepTheirBounds) {
-  for (std::uint64_t seed = 0; seed < 30; ++seed) {
-    SCOPED_TRACE(seed);
-    const Setting s(seed % 2 ? test::sphere(150, seed) : test::torus(250, seed));
-    test::Random random(seed);
-    std::vector<char> inside(s.mesh.size()), aim(s.mesh.size());
-    for (std::size_t t = 0; t < inside.size(); ++t) {
-      if (s.mesh.tets.infinite(static_cast<Index>(t))) continue;
-      inside[t] = random.below(3) > 0, aim[t] = random.below(2) > 0;
-    }
-    expect_bounds(s, inside, aim);
-  }
-}
-
-TEST(Counters, OfLabelsAreSmallOnCleanClouds) {
-  for (const auto& [name, points] : clean_clouds()) {
-    SCOPED_TRACE(name);
-    const Setting s(points);
-    const double sites = static_cast<double>(s.set.size());
-    std::vector<char> inside = s.cut;
-    ManifoldLabels labels(s.mesh, s.geometry, s.costs, inside);
-    labels.repair();
-    labels.warp(s.cut);
-    labels.reach();
-    labels.fill_gaps(s.set.perturbed);
-    const LabelCounts& c = labels.counts();
-    // The cut of points that are dense beside the shape's features is one already; chance leaves a point or
-    // two off.
-    EXPECT_LE(static_cast<double>(c.singular), sites / 500);
-    EXPECT_LE(c.repairs, 2 * c.singular);
-    EXPECT_EQ(c.islands, 0);
-    EXPECT_EQ(c.erosions, 0);
-    EXPECT_EQ(c.tunnels, 0);
-    EXPECT_EQ(c.tears, 0);
-    EXPECT_LE(static_cast<double>(c.reached), sites / 200);
-    EXPECT_EQ(s.on(inside), s.set.size());
-  }
-}
-
 TEST(Counters, OfFilmStepsKeepTheirBounds) {
-  for (const auto& [name, points] : clean_clouds()) {
+  for (const auto& [name, points] : test::clean_clouds()) {
     if (name.find('1') == std::string::npos) continue;
     SCOPED_TRACE(name);
     const SiteSet set = make_site_set(points);
@@ -187,7 +47,7 @@ TEST(Counters, OfFilmStepsKeepTheirBounds) {
 }
 
 TEST(Counters, OfAReportAddUp) {
-  for (const auto& [name, clean] : clean_clouds()) {
+  for (const auto& [name, clean] : test::clean_clouds()) {
     if (name.find('2') == std::string::npos) continue;
     SCOPED_TRACE(name);
     std::vector<Point> points = clean;

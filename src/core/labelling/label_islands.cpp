@@ -42,7 +42,7 @@ std::vector<Facet> find_border(const TetrahedralMesh& mesh, const std::vector<ch
   return border;
 }
 
-// All that is known of one or two pieces is their number.
+// Of one or two pieces, only their number.
 Pieces find_pieces(const TetrahedralMesh& mesh, const std::vector<char>& inside) {
   Pieces pieces;
   pieces.parent.assign(static_cast<std::size_t>(label_pieces(mesh, inside, pieces.of)), kNone);
@@ -96,7 +96,7 @@ std::int64_t drop_islands(const TetrahedralMesh& mesh, const SiteGeometry& geome
                           std::vector<char>& inside) {
   const Pieces pieces = find_pieces(mesh, inside);
   if (pieces.size() <= 2) return 0;  // one surface
-  // A component of the surface belongs to the piece it is around; a site, to the last such piece.
+  // A component of the surface belongs to the piece that it encloses; a site, to the last such piece.
   std::vector<Index> owner(geometry.near.size(), kNone);
   for (const Facet& f : pieces.border) {
     const Index piece = pieces.of[f.t];
@@ -110,7 +110,7 @@ std::int64_t drop_islands(const TetrahedralMesh& mesh, const SiteGeometry& geome
     for (Index other : geometry.near[v])
       if (other != kNone) ++(owner[other] == owner[v] ? own : foreign)[owner[v]];
   }
-  // From outside in: an island takes the label that what is around it has in the end.
+  // From outside in: an island takes the final label of the piece around it.
   std::int64_t islands = 0;
   std::vector<char> label(pieces.size(), 0);
   for (const Facet& f : pieces.border) label[pieces.of[f.t]] = inside[f.t];

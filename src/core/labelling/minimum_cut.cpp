@@ -9,7 +9,7 @@
 namespace filmsticking {
 namespace {
 
-constexpr Index kTerminal = -2, kOrphan = -3;  // instead of a parent arc
+constexpr Index kTerminal = -2, kOrphan = -3;  // in place of a parent arc
 
 class Solver {
  public:
@@ -22,8 +22,8 @@ class Solver {
         time_(n_),
         distance_(n_) {}
 
-  // Ends: a bridge raises the flow, which is of whole numbers and no more than the terminals hold; without
-  // one a node less is active, and nodes become active again only with a bridge.
+  // Ends: a path between the trees raises the flow, which is whole and at most what the terminals hold.
+  // Without one, a node less is active, and nodes become active again only with a path.
   std::vector<char> solve(const std::vector<char>& fallback, const Cancel& cancel) {
     push_across();
     plant();
@@ -32,13 +32,13 @@ class Solver {
       if (current == kNone || tree_[current] == 0) current = next_active();
       if (current == kNone) break;
       if (++turns % 4096 == 0) cancel();
-      const Index bridge = grow(current);  // an arc from the source's tree to the sink's
+      const Index meeting = grow(current);  // an arc from the source's tree to the sink's
       ++clock_;
-      if (bridge == kNone) {
+      if (meeting == kNone) {
         current = kNone;
         continue;
       }
-      augment(bridge);
+      augment(meeting);
       adopt();
     }
     std::vector<char> side(n_);
@@ -47,9 +47,9 @@ class Solver {
   }
 
  private:
-  // The flow from source to sink over single arcs, which is most of it, by several threads: each has a chunk
-  // of the nodes for itself. Whatever flow of the largest is found, the nodes that the source still reaches
-  // are the same, and so are those that reach the sink.
+  // Most of the flow goes from source to sink over a single arc. Several threads push it, each in a chunk of
+  // the nodes. The labels do not depend on the order: every maximum flow leaves the same nodes that the
+  // source reaches, and the same that reach the sink.
   void push_across() {
     constexpr std::size_t kChunk = 16384;
     parallel_chunks(tree_.size(), kChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -66,7 +66,7 @@ class Solver {
     });
   }
 
-  // Both trees begin at the nodes with terminals. Active are those alone that have something to do.
+  // Both trees begin at the nodes with terminals. A node is active only if it can grow.
   void plant() {
     const auto root = [&](Index i) { return g_.terminal[i] > 0 ? 1 : g_.terminal[i] < 0 ? -1 : 0; };
     parallel_each(tree_.size(), [&](std::size_t node) {
@@ -116,7 +116,7 @@ class Solver {
         activate(i);
         return tree_[i] > 0 ? arc : mirror(arc);
       } else if (time_[j] <= time_[i] && distance_[j] > distance_[i]) {
-        parent_[j] = mirror(arc);  // a shorter way to the terminal
+        parent_[j] = mirror(arc);  // a shorter path to the terminal
         time_[j] = time_[i];
         distance_[j] = distance_[i] + 1;
       }
@@ -124,20 +124,20 @@ class Solver {
     return kNone;
   }
 
-  // Ends, as distance_to_terminal() does: parents are those of trees, and have no rings.
-  void augment(Index bridge) {
-    std::int64_t flow = capacity(bridge);
-    Index i = bridge / 4;
+  // Ends, as distance_to_terminal() does: the parents form trees, without rings.
+  void augment(Index meeting) {
+    std::int64_t flow = capacity(meeting);
+    Index i = meeting / 4;
     for (; parent_[i] != kTerminal; i = mirror(parent_[i]) / 4)
       flow = std::min<std::int64_t>(flow, capacity(mirror(parent_[i])));
     flow = std::min(flow, g_.terminal[i]);
-    for (i = mirror(bridge) / 4; parent_[i] != kTerminal; i = mirror(parent_[i]) / 4)
+    for (i = mirror(meeting) / 4; parent_[i] != kTerminal; i = mirror(parent_[i]) / 4)
       flow = std::min<std::int64_t>(flow, capacity(parent_[i]));
     flow = std::min(flow, -g_.terminal[i]);
 
     const auto pushed = static_cast<std::int32_t>(flow);  // no more than a capacity
-    capacity(bridge) -= pushed, capacity(mirror(bridge)) += pushed;
-    for (i = bridge / 4; parent_[i] != kTerminal;) {
+    capacity(meeting) -= pushed, capacity(mirror(meeting)) += pushed;
+    for (i = meeting / 4; parent_[i] != kTerminal;) {
       const Index up = mirror(parent_[i]), above = up / 4;
       capacity(parent_[i]) += pushed, capacity(up) -= pushed;
       if (capacity(up) == 0) orphan(i);
@@ -145,7 +145,7 @@ class Solver {
     }
     g_.terminal[i] -= flow;
     if (g_.terminal[i] == 0) orphan(i);
-    for (i = mirror(bridge) / 4; parent_[i] != kTerminal;) {
+    for (i = mirror(meeting) / 4; parent_[i] != kTerminal;) {
       const Index down = parent_[i], above = mirror(down) / 4;
       capacity(down) -= pushed, capacity(mirror(down)) += pushed;
       if (capacity(down) == 0) orphan(i);
@@ -157,7 +157,8 @@ class Solver {
 
   void orphan(Index i) { parent_[i] = kOrphan, orphans_.push_back(i); }
 
-  // Is j's way up a terminal's? Returns the distance, or 0; marks the way with the time.
+  // The distance of j to the terminal of its tree, or 0 if an orphan cuts it from there. Marks the path with
+  // the time, so that the next search stops at it.
   Index distance_to_terminal(Index j) {
     Index steps = 0, i = j;
     for (;;) {
@@ -178,7 +179,7 @@ class Solver {
     return steps;
   }
 
-  // Ends: an orphan that finds a parent has a way to a terminal without orphans, and is made none again; the
+  // Ends: an orphan that finds a parent has a path to a terminal without orphans, and stays adopted; the
   // others leave their tree.
   void adopt() {
     while (!orphans_.empty()) {

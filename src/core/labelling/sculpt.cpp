@@ -9,7 +9,7 @@
 namespace filmsticking {
 namespace {
 
-// Both capacities of a facet together must fit 32 bits; it is that of 60,000 mean facets.
+// Both capacities of a facet together must fit 32 bits. It is the cost of 60,000 mean facets.
 constexpr std::int64_t kMostCapacity = 1000000000;
 
 }  // namespace
@@ -48,7 +48,7 @@ std::vector<char> Sculptor::cut(const Cancel& cancel) {
   return inside;
 }
 
-// What is left of a larger flow is what was left of the smaller one and what has been added.
+// The rest of the larger graph is the rest of the smaller one and what is added.
 void Sculptor::hold_firmly(Index t, double before, double now) {
   if (!open_ && mesh_.tets.infinite(t)) return;
   const std::int64_t more = price(std::abs(now)) - price(std::abs(before));

@@ -11,21 +11,21 @@
 
 namespace filmsticking {
 
-/// Sculpting (paper, section 5; Wang et al. 2022) as a minimum cut: the inside of a shape among the Delaunay
-/// tetrahedra that costs least between what is believed of each tetrahedron and what its facets cost as
-/// surface. hold[t]: > 0 what it costs to leave t outside, < 0 to have it inside, in the unit of the evidence
-/// (area). Infinite ones are outside whatever it says, unless the surface may be `open`: then it may reach
-/// infinity, which is where its rim is.
+/// Sculpting (paper, section 5; Wang et al. 2022) as a minimum cut: the labels of the Delaunay tetrahedra
+/// that cost least, between what is believed of each tetrahedron and what facets cost on the surface.
+/// Infinite tetrahedra are outside, unless the surface may be `open`: then it may reach infinity, which is
+/// where its rim is.
 ///
-/// Beliefs may be held more firmly from cut to cut, and a cut goes on from the flow of the one before: its
-/// labels are those of a cut from the start.
+/// Beliefs may be held more firmly from cut to cut. A cut continues from the flow of the last one, with the
+/// same labels as a cut from the start.
 class Sculptor {
  public:
+  /// hold[t], in the unit of the evidence (area): > 0: the cost of t outside; < 0: its negative, of t inside.
   /// `mesh` must outlive it.
   Sculptor(const TetrahedralMesh& mesh, const FacetEvidence& evidence, const std::vector<double>& hold,
            bool open = false);
 
-  /// 1 inside, 0 outside.
+  /// [tetrahedron]: 1 inside, 0 outside. Throws Cancelled.
   std::vector<char> cut(const Cancel& cancel = {});
 
   /// hold[t] was `before` and is `now`, which has the same sign and is no smaller.

@@ -8,13 +8,13 @@
 namespace filmsticking {
 namespace {
 
-// A facet at a site: its other two corners, counter-clockwise from outside. The vertex at infinity is one as
-// any other.
+// A facet at a site: its other two corners, counter-clockwise from outside. The infinite vertex counts as any
+// other.
 struct Corner {
   Index from, to;
 };
 
-// Calls visit(site, corner) for the corners of the facets between the labels; several threads.
+// Calls visit(site, corner) for the corners of the facets between the labels, from several threads.
 template <class Visit>
 void each_corner(const TetrahedralMesh& mesh, const std::vector<char>& inside, const Visit& visit) {
   parallel_each(mesh.size(), [&](std::size_t t) {
@@ -29,7 +29,7 @@ void each_corner(const TetrahedralMesh& mesh, const std::vector<char>& inside, c
   });
 }
 
-// On a small sphere around the site the corners are arcs. Are they one simple closed curve?
+// On a small sphere around the site the corners are arcs. Do they form one simple closed curve?
 bool one_curve(const Corner* begin, const Corner* end) {
   Index at = begin->from;
   std::ptrdiff_t length = 0;
@@ -47,14 +47,14 @@ bool one_curve(const Corner* begin, const Corner* end) {
   return length == end - begin;
 }
 
-// With more facets it is left to others to look: the above takes the square of their number.
+// With more facets the answer is Other: one_curve() takes the square of their number.
 constexpr Index kManyFacets = 64;
 
 }  // namespace
 
 std::vector<Sheets> surface_sheets(const TetrahedralMesh& mesh, const std::vector<char>& inside,
                                    std::size_t sites) {
-  // By site, by counting; the order among a site's own does not matter.
+  // A counting sort by site; the order within a site does not matter.
   std::vector<std::atomic<Index>> fill(sites);
   parallel_each(sites, [&](std::size_t v) { fill[v].store(0, std::memory_order_relaxed); });
   each_corner(mesh, inside, [&](Index v, Corner) { fill[v].fetch_add(1, std::memory_order_relaxed); });

@@ -7,14 +7,14 @@
 
 namespace filmsticking {
 
-/// What the surface between the two labels of tetrahedra is at a site.
+/// What the surface between the two labels of tetrahedra is like at a site.
 enum class Sheets : char {
   None,  ///< the site is not on it
   Disc,  ///< one disc: the site's tetrahedra of either label are connected through facets at the site
-  Other
+  Other  ///< several sheets, or so many facets that the search leaves it open
 };
 
-/// Of every site of the mesh, by the surface's facets alone, which are far fewer than the tetrahedra.
+/// [site]: found from the surface's facets alone, which are far fewer than the tetrahedra.
 std::vector<Sheets> surface_sheets(const TetrahedralMesh& mesh, const std::vector<char>& inside,
                                    std::size_t sites);
 

@@ -13,15 +13,15 @@
 namespace filmsticking {
 namespace {
 
-// Facets with edges longer than this, in spacings, say less: by the fourth power, so that the rim of an open
-// surface, which wide facets go around from one side to the other, does not count against the surface.
+// Facets with edges longer than this, in spacings, weigh less, by the fourth power: wide facets go around the
+// rim of an open surface from one side to the other.
 constexpr double kNear = 2;
-// What a facet says of the side that a viewpoint is on, as a share of what it says of its tetrahedra. It
-// counts when clusters have grown: from facet to facet noise and faces along the line of sight would be
-// believed more than their neighbours.
+// The weight of a facet for the side that a viewpoint is on, as a share of its weight for its tetrahedra. So
+// little counts only when clusters have grown. With more, noise and facets along the line of sight would
+// outweigh their neighbours.
 constexpr double kViewShare = 0.03;
 
-/// The edges of the surface: of the facets that enough corners vote for.
+/// The edges of the facets that enough corners vote for.
 class SurfaceEdges {
  public:
   SurfaceEdges(const TetrahedralMesh& mesh, const FacetEvidence& evidence, int votes) {
@@ -33,7 +33,7 @@ class SurfaceEdges {
     std::sort(edges_.begin(), edges_.end());
   }
 
-  /// Does a facet stand on the surface, on an edge between two of its facets, and has no edge of its rim?
+  /// Is a facet on an edge between two facets of the surface, and on no edge of its rim?
   bool carry(const std::array<Index, 4>& corners, int k) const {
     bool carried = false;
     for (const auto& edge : edges_of(corners, k)) {

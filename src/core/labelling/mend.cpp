@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "labelling/mend.h"
+
+#include <algorithm>
+
+#include "labelling/bars.h"
+#include "labelling/caps.h"
+#include "labelling/discs.h"
+#include "labelling/mending.h"
+#include "labelling/plugs.h"
+#include "labelling/roughness.h"
+#include "labelling/ways.h"
+
+namespace filmsticking {
+namespace {
+
+// All radii are in the largest spacing of the corners.
+// Of tetrahedra outside that may be part of a plug, the narrowest first. Two sides of a thin wall have gaps
+// of up to four spacings at the same place.
+constexpr double kPlugRadii[] = {1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
+// Of facets of a cap. Wide tetrahedra have narrow facets where one side of a wall has a large gap and samples
+// of the other fill half of it.
+constexpr double kCapRadii[] = {0.5, 0.75, 1};
+// Of tetrahedra of ways between pieces.
+constexpr double kWayRadii[] = {1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
+// Of tetrahedra outside that discs may fill a tunnel with.
+constexpr double kTunnelRadii[] = {1, 1.5, 2, 3};
+// Of tetrahedra inside that may be a bridge: the inside of a wall is as narrow.
+constexpr double kBridgeRadii[] = {1, 1.5};
+// Of facets that span a mouth and do not line it, the widest first: facets between random samples of a
+// surface have up to two.
+constexpr double kBarRadii[] = {3, 2.5, 2, 1.75, 1.5, 1.25, 1};
+
+// All worths are in sites off the surface.
+// Of a tunnel filled. A plug has two lids, which the votes are against where the tunnel is real, and takes a
+// wall away, which they are for then: that costs more.
+constexpr double kTunnelWorth = 3;
+// Of a piece less. Two parts may lie close to each other, so this is little: in a tear the votes are for a
+// plug, or hardly against it.
+constexpr double kTearWorth = 0.5;
+// How much less filling a tunnel is worth for each tetrahedron of a disc where the surface is smooth: chance
+// gaps are small then, those in noise are not.
+constexpr double kTunnelSize = 0.05;
+// How much more, for each unit of lining below none, as far as the surface is smooth: a sample that shows a
+// gap is two thirds of one. The more there are, the wider is the gap, and the more its disc costs.
+constexpr double kGapWorth = 0.6;
+// Of a bridge cut and of a shard joined, and how much more on a rough surface: of noise, where evidence is
+// weak. There is no chance bridge between smooth surfaces, and two parts may lie close to each other.
+constexpr double kBridgeWorth = 1, kBridgeWorthRough = 2, kShardWorth = 0.5, kShardWorthRough = 1.5;
+
+void try_plugs(Mending& mending) {
+  mending.name_pieces();
+  double earlier = 0;
+  for (const double radius : kPlugRadii) {
+    if (mending.labelling.spent()) return;
+    mending.try_all(plugs(mending.labelling, radius, earlier), 0, {kTunnelWorth, kTearWorth});
+    earlier = radius;
+  }
+}
+
+// Joins shards of one label to other pieces.
+void try_ways(Mending& mending, const std::vector<Vec3>& sites, double radius, char label, double rough) {
+  if (mending.pieces.count() <= 2 || mending.labelling.spent()) return;
+  const MendTerms shard{0, kShardWorth + rough * kShardWorthRough, 0, true};
+  mending.try_all(ways(mending.labelling, mending.pieces, sites, radius, label), label, shard);
+  mending.name_pieces();
+}
+
+// Fills tunnels (label 0) or cuts bridges (1).
+void try_discs(Mending& mending, const std::vector<Vec3>& sites, double radius, char label, double rough) {
+  if (mending.handles() == 0 || mending.labelling.spent()) return;
+  const MendTerms tunnel{kTunnelWorth, 0, (1 - rough) * kTunnelSize, true},
+      bridge{kBridgeWorth + rough * kBridgeWorthRough, 0, 0, true};
+  for (const Disc& disc : discs(mending, sites, radius, label)) {
+    MendTerms terms = label ? bridge : tunnel;
+    if (!label) terms.tunnel += (1 - rough) * kGapWorth * std::max(0.0, -disc.lining);
+    mending.try_all({disc.part}, label, terms);
+  }
+  mending.name_pieces();
+}
+
+void fill_gaps(Mending& mending, const std::vector<Vec3>& sites) {
+  Labelling& labelling = mending.labelling;
+  try_plugs(mending);
+  for (const double radius : kCapRadii)
+    if (!labelling.spent())
+      mending.try_all(caps(labelling, sites, radius), 0, {kTunnelWorth, kTearWorth, 0, true});
+  if (mending.name_pieces() <= 2 && mending.handles() == 0) return;
+  const double rough = roughness(labelling, sites);
+  for (const char label : {char{0}, char{1}})
+    for (const double radius : kWayRadii) try_ways(mending, sites, radius, label, rough);
+  for (const double radius : kTunnelRadii) try_discs(mending, sites, radius, 0, rough);
+  for (const double radius : kBridgeRadii) try_discs(mending, sites, radius, 1, rough);
+}
+
+void try_bars(Mending& mending, const std::vector<Vec3>& sites) {
+  if (mending.name_pieces() < 3) return;
+  for (const double radius : kBarRadii)
+    if (!mending.labelling.spent())
+      mending.try_all(bars(mending.labelling, mending.pieces, sites, radius), 1,
+                      {kTunnelWorth, kTearWorth, 0, true});
+}
+
+}  // namespace
+
+void mend(Labelling& labelling, const std::vector<Vec3>& sites) {
+  Mending mending(labelling);
+  fill_gaps(mending, sites);
+  try_bars(mending, sites);
+}
+
+void mend_plugs(Labelling& labelling) {
+  Mending mending(labelling);
+  try_plugs(mending);
+}
+
+void open_cavities(Labelling& labelling, const std::vector<Vec3>& sites) {
+  Mending mending(labelling);
+  try_bars(mending, sites);
+}
+
+}  // namespace filmsticking
