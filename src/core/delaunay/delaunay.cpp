@@ -162,13 +162,13 @@ class Triangulation {
 
   // Sets the bounds that decide quickly whether a site is in the sphere. `k`: a corner that is a site.
   //
-  // With u, v and w from that corner a to the others the centre is at a + N / D, D = 2 u (v x w),
-  // N = u^2 v x w + v^2 w x u + w^2 u x v. If m is the longest of the three, rounding puts N out by less than
-  // 62 epsilon m^4 and D by less than 28 epsilon m^3 (counted as in Higham, "Accuracy and stability of
-  // numerical algorithms", 2002); m is at most twice the radius r. If that and the rounding to float make the
-  // centre c wrong by e, then the power of a site p, |p - c|^2 - |a - c|^2, is wrong by no more than 2 |p -
-  // a| e; which is 6 r e at most for sites within 2 r of the centre, and cannot change the sign farther out
-  // if e is small beside r.
+  // Let u, v and w be the vectors from that corner a to the others, and m the longest of them. The centre is
+  // a + N / D with D = 2 u (v x w) and N = u^2 v x w + v^2 w x u + w^2 u x v. Rounding errs by less than
+  // 62 epsilon m^4 in N and 28 epsilon m^3 in D (counted as in Higham, "Accuracy and stability of numerical
+  // algorithms", 2002), and m is at most twice the radius r. Let this and the rounding to float move the
+  // centre c by e. Then the power |p - c|^2 - |a - c|^2 of a site p errs by at most 2 |p - a| e. Within 2 r
+  // of the centre that is at most 6 r e. Farther away it cannot change the sign if e is small compared with
+  // r.
   void set_sphere(Tetrahedron& t, int k) const {
     t.in = 0, t.out = std::numeric_limits<float>::infinity();
     t.centre = {0, 0, 0};

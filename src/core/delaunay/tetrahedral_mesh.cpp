@@ -30,7 +30,7 @@ std::uint8_t flat_side(const std::array<Vec3, 4>& p) {
   const Vec3 u = p[1] - p[0], v = p[2] - p[0], w = p[3] - p[0];
   const double volume6 = std::abs(u.dot(v.cross(w)));
   const double square = std::max({u.squaredNorm(), v.squaredNorm(), w.squaredNorm()});
-  if (volume6 > kFlat * 4 * square) return 0;  // no edge is longer than twice those
+  if (volume6 > kFlat * 4 * square) return 0;  // no edge is longer than twice the longest of u, v, w
   std::array<Vec3, 4> normal;
   int largest = 0;
   for (int k = 0; k < 4; ++k) {

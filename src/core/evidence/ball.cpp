@@ -36,7 +36,7 @@ double gate_width(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
 
 std::vector<double> ball_widths(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
                                 const std::vector<double>& spacing, double least, double most) {
-  least = static_cast<float>(least), most = static_cast<float>(most);  // as the gates are stored
+  least = static_cast<float>(least), most = static_cast<float>(most);  // the precision of `gate`
   UnsetVector<std::array<float, 4>> gate(mesh.size());
   parallel_each(mesh.size(), [&](std::size_t t) {
     for (int k = 0; k < 4; ++k)

@@ -33,8 +33,7 @@ struct RepairCounts {
 /// keeps.
 ///
 /// Every state in between is a closed oriented surface. Always ends, because of what the operations change:
-///  - remove an orbit and fill the hole (surplus, or fewer than three neighbours): two or more triangles
-///  fewer;
+///  - remove an orbit (surplus, or under three neighbours), fill the hole: two or more triangles fewer;
 ///  - flip one of two edges that join the same orbits: as many triangles, one double edge fewer;
 ///  - if no flip helps, open both edges and close the two rims: as many triangles, and the Euler
 ///  characteristic
