@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Depth images of scenes, with the faults that cameras have.
+// Depth images of synthetic scenes, with faults of real cameras.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -15,7 +15,7 @@
 
 namespace filmsticking::test {
 
-/// The distance along a ray (x, y, 1) of the camera's frame; infinite: nothing is seen there.
+/// The depth of the ray (x, y, 1) in the camera's frame; infinite if nothing is visible there.
 using Depth = std::function<double(double x, double y)>;
 
 /// A camera at the origin that looks along z: n by n pixels, from -1 to 1 at distance 1.
@@ -31,19 +31,19 @@ inline std::vector<Vec3> image_of(const Depth& depth, int n) {
 
 inline double hills(double x, double y) { return 2 + 0.3 * std::sin(4 * x) * std::cos(3 * y) + 0.2 * x; }
 
-/// A ball before a slanted wall, which bulges a little: closed, a plane is a plate without volume.
+/// A ball before a slanted wall. The wall bulges: a closed plane would be a plate without volume.
 inline double ball_and_wall(double x, double y) {
   const double wall = (4 + 0.2 * (x * x + y * y)) / (1 + 0.3 * x + 0.2 * y), a = x * x + y * y + 1;
   const double d = 9 - a * (9 - 1);  // the ball: middle (0, 0, 3), radius 1
   return d > 0 ? (3 - std::sqrt(d)) / a : wall;
 }
 
-/// Steps as of a structured-light camera: in equal disparities.
+/// Quantised as by a structured-light camera: in equal steps of disparity.
 inline Depth in_steps(const Depth& depth, double step) {
   return [=](double x, double y) { return 1 / (step * std::round(1 / (step * depth(x, y)))); };
 }
 
-/// The means of those in each cell of a grid, as pcl::VoxelGrid's.
+/// The mean of each occupied cell of a grid, as by pcl::VoxelGrid.
 inline std::vector<Vec3> thinned(const std::vector<Vec3>& places, double leaf) {
   std::map<std::array<double, 3>, std::pair<Vec3, int>> cells;
   for (const Vec3& p : places) {
@@ -59,7 +59,7 @@ inline std::vector<Vec3> thinned(const std::vector<Vec3>& places, double leaf) {
   return means;
 }
 
-/// With noise along every axis, of that deviation.
+/// Adds Gaussian noise of this standard deviation along every axis.
 inline std::vector<Vec3> noisy(std::vector<Vec3> places, double deviation, Random& random) {
   const auto normal = [&] {
     return std::sqrt(-2 * std::log(1 - random.uniform())) * std::cos(2 * M_PI * random.uniform());

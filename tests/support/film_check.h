@@ -13,7 +13,7 @@
 
 namespace filmsticking::test {
 
-// Half-edges pair up, each with one that runs back between the same sites.
+// Half-edges are paired, each with one that runs back between the same sites.
 inline void expect_closed(const HalfEdgeComplex& c) {
   for (Index h = 0; h < static_cast<Index>(c.twin.size()); ++h) {
     ASSERT_EQ(c.twin[c.twin[h]], h);

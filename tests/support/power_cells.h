@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sites for tests of power diagrams, and what owns a place, by asking all sites.
+// Random sites, and the owner of a place by brute force.
 #pragma once
 
 #include <cstdint>

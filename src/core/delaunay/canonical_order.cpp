@@ -10,10 +10,10 @@
 namespace filmsticking {
 namespace {
 
-// kNone as the largest.
+// kNone ranks last.
 std::uint32_t rank(Index v) { return static_cast<std::uint32_t>(v); }
 
-// Sorts four corners and what belongs to them; keeps the orientation.
+// Sorts the corners, and the neighbours with them. Keeps the orientation.
 void turn_canonical(std::array<Index, 4>& corners, std::array<Index, 4>& neighbours) {
   bool odd = false;
   const auto sort_pair = [&](int i, int j) {
@@ -30,7 +30,7 @@ void turn_canonical(std::array<Index, 4>& corners, std::array<Index, 4>& neighbo
 Tetrahedra in_canonical_order(Tetrahedra tets, std::size_t sites) {
   const std::size_t n = tets.size();
   parallel_each(n, [&](std::size_t t) { turn_canonical(tets.corners[t], tets.neighbours[t]); });
-  // By the least corner by counting, and by the others among its few.
+  // Counting sort by the first corner, then a sort among the few tetrahedra of each.
   std::vector<Index> offset(sites + 1, 0);
   UnsetVector<Index> order(n), place(n);
   for (const auto& c : tets.corners) ++offset[c[0] + 1];

@@ -5,9 +5,9 @@
 
 namespace filmsticking {
 
-/// The same tetrahedra in an order, and with their corners in one, that depends on nothing but which they
-/// are: by rising corners, the last two of which are swapped where the tetrahedron would be inside out. kNone
-/// comes last. Where the sites are along a space-filling curve, so are the tetrahedra.
+/// The same tetrahedra in an order that depends on nothing but the set of tetrahedra. The corners of each
+/// rise, kNone last; the last two are swapped where the orientation asks for it. The tetrahedra rise by their
+/// corners. Where the sites follow a space-filling curve, so do the tetrahedra.
 Tetrahedra in_canonical_order(Tetrahedra tets, std::size_t sites);
 
 }  // namespace filmsticking

@@ -24,22 +24,23 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-constexpr Index kDead = -2;  // the first corner of a place that holds no tetrahedron
-// A round of fewer sites is inserted by one thread. Sites that are taken at a time, and places.
+constexpr Index kDead = -2;  // first corner of a slot that holds no tetrahedron
+// One thread inserts a round of fewer than kSmallRound sites. Threads take kBatch sites and kPlaces slots at
+// a time. Every kOften sites they check the limits.
 constexpr std::size_t kSmallRound = 20000, kBatch = 1024, kPlaces = 1024, kOften = 256;
-// Sites of the first round, about, and the bits that tell a site's round: one in eight is in an earlier one.
+// The first round has about kFirstRound sites. One site in 2^kRoundBits belongs to an earlier round.
 constexpr std::size_t kFirstRound = 512;
 constexpr int kRoundBits = 3;
 
-// One line of the cache.
+// Fills one cache line.
 struct alignas(64) Tetrahedron {
   std::array<Index, 4> corner, neighbour;
-  // Of its sphere: the centre, rounded; and squared distances from there, with less than the first of which a
-  // site is surely in the sphere, with more than the second surely not.
+  // The circumsphere's rounded centre. A site at a squared distance below `in` is surely in the sphere, above
+  // `out` surely outside.
   std::array<float, 3> centre;
   float in, out;
-  std::uint32_t mark;              // by the last insertion that met it: in, out
-  std::atomic<std::uint8_t> lock;  // the worker's id; 0: none
+  std::uint32_t mark;              // set by the last insertion that visited it: in or out of its cavity
+  std::atomic<std::uint8_t> lock;  // the owning worker's id, or 0
 
   void copy(const Tetrahedron& t) {
     corner = t.corner, neighbour = t.neighbour, centre = t.centre, in = t.in, out = t.out, mark = t.mark;
@@ -56,34 +57,34 @@ struct alignas(64) Tetrahedron {
 
 enum class Insertion { Done, Busy, Full, Tie };
 
-/// What one thread needs for its insertions.
+/// Scratch of one thread.
 struct Worker {
-  std::uint8_t id = 0;      // its locks
-  std::uint32_t stamp = 0;  // of the insertion at work, which no other worker and no other insertion has
-  std::vector<Index> free;  // places, all locked
+  std::uint8_t id = 0;      // marks its locks
+  std::uint32_t stamp = 0;  // number of the current insertion, unique among all workers
+  std::vector<Index> free;  // empty slots, all locked
   struct Facet {
     Index t;
     int k;
-    Index made;  // the new tetrahedron on it
+    Index made;  // the new tetrahedron on this facet
   };
   struct Edge {
     std::uint64_t sites;
     Index made;
     int k;
-    std::uint32_t of;  // insertion
+    std::uint32_t of;  // the insertion that wrote it
   };
   std::vector<Index> cavity, locked;
   std::vector<Facet> border;
-  // For the surface of a cavity: the names of its sites, the sites by name, the ends of its facets, and the
-  // new tetrahedron on the facet to the left of an edge.
+  // For a cavity with few facets, whose sites get short names: names by site, sites by name, the named
+  // corners of each facet, and the new tetrahedron on the facet to the left of each named edge.
   static constexpr std::size_t kFewFacets = 120, kFewSites = kFewFacets / 2 + 2;
   std::vector<std::uint8_t> name;
   std::array<Index, kFewSites> named;
   std::array<std::array<std::uint8_t, 3>, kFewFacets> ends;
   std::array<std::array<Index, kFewSites + 2>, kFewSites> beside;
-  // For that of a large one.
+  // For a cavity with many facets.
   std::vector<Edge> edges;      // a hash table
-  std::uint32_t insertion = 0;  // the last that used it
+  std::uint32_t insertion = 0;  // the last that used the table
   std::vector<Index> busy;      // sites that met a lock
 };
 
@@ -92,7 +93,7 @@ class Triangulation {
   Triangulation(const std::vector<Vec3>& sites, const TriangulationLimits& limits)
       : limits_(limits), sites_(sites), at_(new std::atomic<Index>[sites.size()]) {
     for (std::size_t v = 0; v < sites.size(); ++v) at_[v].store(kNone, std::memory_order_relaxed);
-    // More than a surface's sites make; memory that is not touched is not taken.
+    // More than a surface's sites make. The system gives only the memory that is touched.
     grow((8 * sites.size() / kPlaces + 16) * kPlaces);
   }
 
@@ -133,17 +134,17 @@ class Triangulation {
   }
 
  private:
-  // Who reads a place here may try its lock, so that must have been set before.
+  // Acquire: whoever reads a slot here may try its lock, which must be set before.
   Index at(std::size_t v) const { return at_[v].load(std::memory_order_acquire); }
 
-  // The limits are those of a round's sites, which are the same for any number of threads; what is more than
-  // that on the way, with some of them, is not.
+  // The limit at the end of a round does not depend on the number of threads. Within a round the order of
+  // insertion does, so the caller allows `times` as many there.
   void watch(std::int64_t times) const {
     limits_.cancel();
     if (alive_.load(std::memory_order_relaxed) / times > limits_.tetrahedra) throw TooManyTetrahedra{};
   }
 
-  // Of a site: 0, the last round, mostly. By a hash, so that no order of the sites is a bad one.
+  // A site's round, counted from the last: 0 for most sites. A hash decides, so that no order is bad.
   static int level_of(std::size_t v, int most) {
     std::uint64_t h = (v + 1) * 0x9e3779b97f4a7c15ULL;
     h = (h ^ h >> 31) * 0xbf58476d1ce4e5b9ULL;
@@ -159,15 +160,15 @@ class Triangulation {
     return Kernel::Orientation_3()(point(c[0]), point(c[1]), point(c[2]), point(c[3]));
   }
 
-  // Sets what tells quickly whether a site is in the sphere. `k`: a corner that is a site.
+  // Sets the bounds that decide quickly whether a site is in the sphere. `k`: a corner that is a site.
   //
-  // With u, v and w from that corner a to the others the centre is at a + N / D, D = 2 u (v x w),
-  // N = u^2 v x w + v^2 w x u + w^2 u x v. If m is the longest of the three, rounding puts N out by less than
-  // 62 epsilon m^4 and D by less than 28 epsilon m^3 (counted as in Higham, "Accuracy and stability of
-  // numerical algorithms", 2002); m is at most twice the radius r. If that and the rounding to float make the
-  // centre c wrong by e, then the power of a site p, |p - c|^2 - |a - c|^2, is wrong by no more than 2 |p -
-  // a| e; which is 6 r e at most for sites within 2 r of the centre, and cannot change the sign farther out
-  // if e is small beside r.
+  // Let u, v and w be the vectors from that corner a to the others, and m the longest of them. The centre is
+  // a + N / D with D = 2 u (v x w) and N = u^2 v x w + v^2 w x u + w^2 u x v. Rounding errs by less than
+  // 62 epsilon m^4 in N and 28 epsilon m^3 in D (counted as in Higham, "Accuracy and stability of numerical
+  // algorithms", 2002), and m is at most twice the radius r. Let this and the rounding to float move the
+  // centre c by e. Then the power |p - c|^2 - |a - c|^2 of a site p errs by at most 2 |p - a| e. Within 2 r
+  // of the centre that is at most 6 r e. Farther away it cannot change the sign if e is small compared with
+  // r.
   void set_sphere(Tetrahedron& t, int k) const {
     t.in = 0, t.out = std::numeric_limits<float>::infinity();
     t.centre = {0, 0, 0};
@@ -201,7 +202,7 @@ class Triangulation {
     return x * x + y * y + z * z;
   }
 
-  // Positive: the site is in the tetrahedron's sphere, or beyond the hull's facet; zero: on it.
+  // Positive if the site is in the tetrahedron's sphere or beyond the hull facet; zero if it is on it.
   CGAL::Sign conflict(const Tetrahedron& t, Index p) const {
     const double dd = squared_distance(t, sites_[p]);
     return dd < t.in ? CGAL::POSITIVE : dd > t.out ? CGAL::NEGATIVE : exact_conflict(t, p);
@@ -218,7 +219,7 @@ class Triangulation {
     return Kernel::Side_of_oriented_sphere_3()(point(c[0]), point(c[1]), point(c[2]), point(c[3]), point(p));
   }
 
-  // `capacity`: whole blocks, so that no place is without an owner.
+  // `capacity`: a multiple of kPlaces, so that every slot has an owner.
   void grow(std::size_t capacity) {
     std::unique_ptr<Tetrahedron[]> tets(new Tetrahedron[capacity]);
     for (std::size_t t = 0; t < std::min(used_.load(), capacity_); ++t) tets[t].copy(tets_[t]);
@@ -227,7 +228,7 @@ class Triangulation {
     capacity_ = capacity;
   }
 
-  // Places for so many tetrahedra. False: there are no more.
+  // Reserves `count` slots. False if there are no more.
   bool reserve(Worker& w, std::size_t count) {
     while (w.free.size() < count) {
       const std::size_t begin = used_.fetch_add(kPlaces);
@@ -242,7 +243,7 @@ class Triangulation {
     return true;
   }
 
-  // The first of the sites that span space, and the four infinite tetrahedra around it.
+  // Makes a tetrahedron of four sites that span space, and the four infinite tetrahedra around it.
   bool first_tetrahedron() {
     const auto n = static_cast<Index>(sites_.size());
     if (n < 4) return false;
@@ -264,7 +265,8 @@ class Triangulation {
     tets_[id[4]].corner = c, tets_[id[4]].neighbour = {id[0], id[1], id[2], id[3]};
     set_sphere(tets_[id[4]], 0);
     for (int k = 0; k < 4; ++k) {
-      // The vertex at infinity in place of corner k is on the other side; swapping two others mends that.
+      // The infinite vertex replaces corner k on the other side of the facet: swap two corners to keep the
+      // orientation.
       Tetrahedron& t = tets_[id[k]];
       t.corner = c, t.neighbour = {id[0], id[1], id[2], id[3]};
       t.corner[k] = kNone, t.neighbour[k] = id[4];
@@ -278,7 +280,7 @@ class Triangulation {
 
   bool insert_round(const std::vector<Index>& round) {
     if (workers_.size() < 2 || round.size() < kSmallRound) return insert_alone(round);
-    // A worker takes batches of its own part first, far from the others, then helps with the other parts.
+    // A worker takes batches of its own part first, far from the other workers, then of the other parts.
     const std::size_t parts = workers_.size(), part = (round.size() + parts - 1) / parts;
     std::vector<std::atomic<std::size_t>> next(parts);
     for (std::size_t i = 0; i < parts; ++i) next[i] = i * part;
@@ -310,7 +312,7 @@ class Triangulation {
       const Index p = round[i];
       if (i % kOften == 0) watch(2);
       Insertion result = insert<false>(workers_[0], p);
-      // There is room for any site's tetrahedra after some doublings.
+      // Ends: after some doublings there are slots for any site's tetrahedra.
       for (; result == Insertion::Full; result = insert<false>(workers_[0], p)) grow(2 * capacity_);
       if (result != Insertion::Done) return false;
     }
@@ -335,8 +337,8 @@ class Triangulation {
     return why;
   }
 
-  // A tetrahedron in whose sphere a site surely is; or else the one that holds it, or an infinite one beyond
-  // whose facet it is. Locked. kNone: busy.
+  // A tetrahedron whose sphere surely contains the site, or the tetrahedron that contains it, or an infinite
+  // one beyond whose facet it lies. Returned locked; kNone if another worker holds a lock.
   template <bool kShared>
   Index locate(Worker& w, Index p) {
     Index hint = p;
@@ -348,14 +350,14 @@ class Triangulation {
       release<kShared>(t);
       return kNone;
     }
-    // In a Delaunay triangulation no walk that crosses separating facets comes back: the power of the site to
-    // the spheres falls with every step (Edelsbrunner 1989).
+    // The walk ends: in a Delaunay triangulation the site's power to the spheres falls with every step across
+    // a separating facet (Edelsbrunner 1989).
     for (bool moved = true; moved;) {
       moved = false;
       const Tetrahedron& now = tets_[t];
       if (squared_distance(now, sites_[p]) < now.in) break;
       const int infinite = now.infinite() ? now.corner_index(kNone) : -1;
-      if (infinite >= 0 && from != kNone) break;  // it came through the facet of the hull
+      if (infinite >= 0 && from != kNone) break;  // it came through the hull facet
       for (int k = 0; k < 4 && !moved; ++k) {
         const Index next = now.neighbour[k];
         if (infinite >= 0 ? k != infinite : next == from) continue;
@@ -411,7 +413,7 @@ class Triangulation {
     return Insertion::Done;
   }
 
-  // A new tetrahedron on each facet around the cavity.
+  // Makes a new tetrahedron on each facet of the cavity's border.
   template <bool kShared>
   void fill(Worker& w, Index p) {
     for (Worker::Facet& f : w.border) {
@@ -438,7 +440,7 @@ class Triangulation {
       w.free.push_back(t);
     }
     if (kShared) {
-      // Places that are free stay locked, so that nobody takes a stale hint for a tetrahedron.
+      // Empty slots stay locked, so that no worker takes a stale hint for a tetrahedron.
       for (const Index t : w.locked)
         if (tets_[t].corner[0] != kDead) release<kShared>(t);
     } else {
@@ -447,12 +449,12 @@ class Triangulation {
     }
   }
 
-  // The new tetrahedra to each other, two at every edge of the cavity's surface, which runs along it one way
-  // and the other.
+  // Links the new tetrahedra: two meet at every edge of the cavity's border, whose facets run along it in
+  // opposite directions.
   void join(Worker& w) {
     if (w.border.size() > Worker::kFewFacets) return join_many(w);
     if (w.name.empty()) w.name.assign(sites_.size() + 1, 0);
-    std::size_t count = 0;  // of the surface's sites, which have short names; that at infinity, -1, as well
+    std::size_t count = 0;  // of the border's vertices, the infinite one (-1) included
     const auto name = [&](Index v) {
       std::uint8_t& i = w.name[static_cast<std::size_t>(v) + 1];
       if (i >= count || w.named[i] != v) i = static_cast<std::uint8_t>(count), w.named[count++] = v;
@@ -475,7 +477,7 @@ class Triangulation {
 
   void join_many(Worker& w) {
     std::size_t size = 64;
-    while (size < 3 * w.border.size()) size *= 2;  // twice as many places as edges
+    while (size < 3 * w.border.size()) size *= 2;  // twice as many entries as edges
     if (w.edges.size() < size) w.edges.assign(size, {0, kNone, 0, 0}), w.insertion = 0;
     ++w.insertion;
     for (const Worker::Facet& f : w.border) {
@@ -502,7 +504,7 @@ class Triangulation {
   const TriangulationLimits& limits_;
   std::atomic<std::int64_t> alive_{0};  // tetrahedra
   const std::vector<Vec3>& sites_;
-  std::unique_ptr<std::atomic<Index>[]> at_;  // a tetrahedron at each site, or kNone: it is not in yet
+  std::unique_ptr<std::atomic<Index>[]> at_;  // a tetrahedron at each site; kNone before its insertion
   std::unique_ptr<Tetrahedron[]> tets_;
   std::atomic<std::size_t> used_{0};
   std::size_t capacity_ = 0;
@@ -532,7 +534,7 @@ Tetrahedra delaunay_tetrahedra(const std::vector<Vec3>& sites, const Triangulati
 PowerDiagram voronoi_diagram(const Tetrahedra& tets, const std::vector<Vec3>& sites) {
   PowerDiagram diagram;
   diagram.position = sites;
-  // Both ways of every edge, once for each of its tetrahedra, by their first site.
+  // Both directions of every edge, once per tetrahedron around it, grouped by the first site.
   std::vector<Index> offset(sites.size() + 1, 0), all;
   const auto each_pair = [&](const auto& pair) {
     for (const auto& c : tets.corners)

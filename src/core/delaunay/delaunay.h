@@ -8,22 +8,24 @@
 
 namespace filmsticking {
 
-/// The Delaunay tetrahedra of some sites in canonical order. Sites that are on a space-filling curve make it
-/// fast. The same tetrahedra for any number of threads; none if all sites are on a plane. Throws
-/// TooManyTetrahedra as soon as some of the sites alone make more than are allowed.
+/// The Delaunay tetrahedra of the sites in canonical order; none if all sites lie on a plane. The result does
+/// not depend on the number of threads. Fast where the sites follow a space-filling curve. Throws
+/// TooManyTetrahedra as soon as the sites inserted so far make more than the limit, and Cancelled.
 Tetrahedra delaunay_tetrahedra(const std::vector<Vec3>& sites, const TriangulationLimits& limits = {});
 
-/// The same in no particular order, by the rooms' own triangulation. False, and no tetrahedra, where it met
-/// five sites on a sphere or four on a plane, so that there may be several triangulations.
+/// The same in no particular order. Returns false, and no tetrahedra, if five sites lie on a sphere or four
+/// on a plane: there may be several triangulations then. By hand, because CGAL's parallel triangulation has
+/// neither a limit nor a cancel, and geogram is not in Debian 12.
 ///
-/// Sites are inserted in rounds of eight times as many (Amenta, Choi and Rote, "Incremental constructions con
-/// BRIO", 2003); each replaces the tetrahedra whose spheres it is in (Bowyer 1981, Watson 1981). Several
-/// threads insert at once, each along its own part of the curve, and lock what they look at; a site that
-/// meets a lock waits for the end of the round (Levy, "geogram", PDEL). Predicates are exact.
+/// Each round inserts eight times as many sites as the round before (Amenta, Choi and Rote, "Incremental
+/// constructions con BRIO", 2003). A site replaces the tetrahedra whose circumspheres contain it (Bowyer
+/// 1981, Watson 1981). Each thread inserts along its own part of the curve and locks the tetrahedra that it
+/// visits. A site that meets a lock waits for the end of the round (Levy, "geogram", PDEL). Predicates are
+/// exact.
 bool incremental_delaunay(const std::vector<Vec3>& sites, Tetrahedra& tets,
                           const TriangulationLimits& limits = {});
 
-/// The Voronoi diagram that some Delaunay tetrahedra are dual to.
+/// The Voronoi diagram that is dual to Delaunay tetrahedra of the sites.
 PowerDiagram voronoi_diagram(const Tetrahedra& tets, const std::vector<Vec3>& sites);
 
 }  // namespace filmsticking

@@ -34,8 +34,8 @@ using RegularCell = CGAL::Regular_triangulation_cell_base_3<Kernel>;
 using Regular =
     CGAL::Regular_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<RegularVertex, RegularCell>>;
 
-// CGAL keeps scratch for each thread, and what an allocation that failed in the middle leaves there would
-// spoil the thread's next triangulations: so each is made in a thread of its own.
+// Runs `work` in a thread of its own. CGAL keeps scratch per thread; an allocation that fails midway leaves
+// it broken for that thread's next triangulations.
 template <class Work>
 void in_own_thread(const Work& work) {
   std::exception_ptr thrown;
@@ -48,7 +48,7 @@ void in_own_thread(const Work& work) {
         thrown = std::current_exception();
       }
     });
-  } catch (const std::system_error&) {  // there is no more
+  } catch (const std::system_error&) {  // no thread is left
     return work();
   }
   thread.join();
@@ -57,7 +57,7 @@ void in_own_thread(const Work& work) {
 
 Kernel::Point_3 cgal_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
-// Neighbours from the edges of a triangulation, sorted: nothing depends on the triangulation's own order.
+// Sorted, so that nothing depends on the triangulation's own order.
 template <class Triangulation>
 void collect_neighbours(const Triangulation& triangulation, PowerDiagram& diagram) {
   std::vector<std::pair<Index, Index>> edges;
@@ -84,8 +84,8 @@ Index PowerDiagram::owner(const Vec3& x, Index hint) const {
   Index best = hint != kNone && has_cell(hint) ? hint : any_site;
   if (best == kNone) return kNone;
   double least = power(best, x);
-  // In a Delaunay or regular triangulation a site without a better neighbour is the best. The power falls
-  // with every move, so this ends.
+  // In a Delaunay or regular triangulation a site without a better neighbour is the best. Ends: the power
+  // falls with every move.
   for (bool moved = true; moved;) {
     moved = false;
     const Index from = best;
@@ -114,7 +114,7 @@ DelaunayTriangulation::DelaunayTriangulation(std::vector<Vec3> sites, const Tria
   const auto place = CGAL::make_property_map(points);
   CGAL::spatial_sort(order.begin(), order.end(),
                      CGAL::Spatial_sort_traits_adapter_3<Kernel, decltype(place)>(place));
-  // The order is one of growing random samples, so that a triangulation of many tetrahedra shows early.
+  // CGAL's order is one of growing random samples, so that too many tetrahedra show early.
   constexpr std::size_t kOften = 256;
   Delaunay& triangulation = impl_->triangulation;
   const auto insert_all = [&] {

@@ -10,14 +10,14 @@
 
 namespace filmsticking {
 
-/// The power cells of some sites: who has a cell, and which cells touch. The cell of site i is
+/// The power cells of sites: which sites have a cell, and which cells touch. The cell of site i is
 /// { x : |x-p_i|^2 - w_i <= |x-p_j|^2 - w_j for all j } (paper, section 4.1); without weights, Voronoi.
 struct PowerDiagram {
-  std::vector<Vec3> position;    ///< of every site, also of those without a cell
-  std::vector<double> weight;    ///< empty: all zero
+  std::vector<Vec3> position;    ///< per site, with or without a cell
+  std::vector<double> weight;    ///< per site; empty if all are zero
   std::vector<Index> offset;     ///< neighbours of i: neighbour[offset[i] .. offset[i+1])
   std::vector<Index> neighbour;  ///< ascending for each site; none for a site without a cell
-  Index any_site = kNone;        ///< the first with a cell
+  Index any_site = kNone;        ///< the first site that has a cell
 
   bool has_cell(Index i) const { return offset[i + 1] > offset[i]; }
 
@@ -27,13 +27,13 @@ struct PowerDiagram {
     return weight.empty() ? d : d - weight[i];
   }
 
-  /// The site whose cell holds x, found by descent from `hint` (any site, or kNone).
+  /// The site whose cell contains x, or kNone if no site has a cell. `hint`: a site near x, or kNone.
   Index owner(const Vec3& x, Index hint) const;
 };
 
-/// The Delaunay tetrahedra of some sites, infinite ones included.
+/// Delaunay tetrahedra, infinite ones included.
 struct Tetrahedra {
-  UnsetVector<std::array<Index, 4>> corners;     ///< positively oriented; kNone: the vertex at infinity
+  UnsetVector<std::array<Index, 4>> corners;     ///< positively oriented; kNone is the infinite vertex
   UnsetVector<std::array<Index, 4>> neighbours;  ///< across the facet opposite corner k
 
   std::size_t size() const { return corners.size(); }
@@ -43,9 +43,9 @@ struct Tetrahedra {
   }
 };
 
-/// A Delaunay triangulation that sites can leave. Sites at the same place count once.
-/// Throws TooManyTetrahedra as soon as its sites so far make more than are allowed: those of sites that lie
-/// on two curves grow with the square of their number.
+/// A Delaunay triangulation from which sites can be removed. Sites at the same place count once. The
+/// constructor throws TooManyTetrahedra as soon as the sites inserted so far make more than the limit: on two
+/// curves their number grows with the square of the number of sites.
 class DelaunayTriangulation {
  public:
   explicit DelaunayTriangulation(std::vector<Vec3> sites, const TriangulationLimits& limits = {});
@@ -53,7 +53,7 @@ class DelaunayTriangulation {
   DelaunayTriangulation(const DelaunayTriangulation&) = delete;
   DelaunayTriangulation& operator=(const DelaunayTriangulation&) = delete;
 
-  int dimension() const;  ///< 3 unless all sites lie on a plane, a line or a point
+  int dimension() const;  ///< 3, or less if all sites lie on a plane, a line or a point
   void remove(Index site);
   PowerDiagram voronoi() const;
   Tetrahedra tetrahedra() const;
@@ -63,7 +63,8 @@ class DelaunayTriangulation {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The power diagram of weighted sites (regular triangulation). Sites with `present[i] == 0` are left out.
+/// The power diagram of weighted sites, by CGAL's regular triangulation. Leaves out sites with present[i] ==
+/// 0.
 PowerDiagram weighted_power_diagram(const std::vector<Vec3>& sites, const std::vector<double>& weights,
                                     const std::vector<char>& present);
 

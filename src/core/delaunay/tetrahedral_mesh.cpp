@@ -12,10 +12,10 @@
 namespace filmsticking {
 namespace {
 
-// One that is thinner may be flat, or inside out, in exact coordinates: more than its corners were moved.
+// A thinner tetrahedron may be flat or inverted in exact coordinates. Above how far its corners were moved.
 constexpr double kFlat = 4 * kPerturbation;
 
-// Relative to the first corner, which keeps the digits where the tetrahedron is small.
+// Relative to the first corner, to keep the digits of small tetrahedra.
 Vec3 circumcentre(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a, v = c - a, w = d - a;
   const Vec3 vw = v.cross(w);
@@ -25,12 +25,12 @@ Vec3 circumcentre(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
          (u.squaredNorm() * vw + v.squaredNorm() * w.cross(u) + w.squaredNorm() * u.cross(v)) / (2 * volume6);
 }
 
-// The facets on the side of the largest, as bits, if the tetrahedron is thinner than kFlat; else 0.
+// The facets on the side of the largest facet, as bits, if the tetrahedron is thinner than kFlat; else 0.
 std::uint8_t flat_side(const std::array<Vec3, 4>& p) {
   const Vec3 u = p[1] - p[0], v = p[2] - p[0], w = p[3] - p[0];
   const double volume6 = std::abs(u.dot(v.cross(w)));
   const double square = std::max({u.squaredNorm(), v.squaredNorm(), w.squaredNorm()});
-  if (volume6 > kFlat * 4 * square) return 0;  // no edge is longer than twice those
+  if (volume6 > kFlat * 4 * square) return 0;  // no edge is longer than twice the longest of u, v, w
   std::array<Vec3, 4> normal;
   int largest = 0;
   for (int k = 0; k < 4; ++k) {
@@ -63,8 +63,8 @@ TetrahedralMesh make_tetrahedral_mesh(Tetrahedra tets, const std::vector<Vec3>& 
   parallel_each(n, [&](std::size_t t) {
     const auto& corners = mesh.tets.corners[t];
     for (int k = 0; k < 4; ++k) {
-      // Two tetrahedra may share several facets only at infinity of a flat cloud; compare the back pointer
-      // and the corner that is not shared.
+      // Two infinite tetrahedra of a flat cloud may share several facets. So compare the back pointer and the
+      // corner that is not shared.
       const Index u = mesh.tets.neighbours[t][k];
       int facet = 0;
       for (int j = 0; j < 4; ++j)

@@ -12,7 +12,7 @@
 namespace filmsticking {
 namespace {
 
-// Radius of the smallest empty ball through the facet's corners: the width of the gate.
+// Radius of the smallest empty ball through the facet's corners, over their largest spacing.
 double gate_width(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
                   const std::vector<double>& spacing, Index t, int k) {
   const auto& corners = mesh.tets.corners[t];
@@ -28,7 +28,7 @@ double gate_width(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
   if (own_side_t && own_side_u) {
     if (normal.squaredNorm() > 0) radius = std::sqrt(circumradius2(a, b, c));
   }
-  // The largest of the corners' spacings: a coarse region's gates must not look wide beside a fine one.
+  // The largest spacing: facets of a coarse region must not look wide beside a fine one.
   return radius / std::max({spacing[i], spacing[j], spacing[l], 1e-300});
 }
 
@@ -36,7 +36,7 @@ double gate_width(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
 
 std::vector<double> ball_widths(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
                                 const std::vector<double>& spacing, double least, double most) {
-  least = static_cast<float>(least), most = static_cast<float>(most);  // as the gates are stored
+  least = static_cast<float>(least), most = static_cast<float>(most);  // the precision of `gate`
   UnsetVector<std::array<float, 4>> gate(mesh.size());
   parallel_each(mesh.size(), [&](std::size_t t) {
     for (int k = 0; k < 4; ++k)
@@ -49,7 +49,7 @@ std::vector<double> ball_widths(const TetrahedralMesh& mesh, const std::vector<V
       if (const Index m = mesh.mirror[t][k]; m < static_cast<Index>(4 * t) + k)
         gate[t][k] = gate[m / 4][m % 4];
   });
-  // Widest paths from infinity, by Dijkstra's order; what is as wide as it gets needs no order.
+  // Widest paths from infinity in Dijkstra's order. Tetrahedra of the largest width need no order.
   std::vector<double> width(mesh.size(), least);
   std::vector<Index> widest;
   std::priority_queue<std::pair<double, Index>> front;
@@ -68,7 +68,7 @@ std::vector<double> ball_widths(const TetrahedralMesh& mesh, const std::vector<V
       }
     }
   };
-  // Ends: a tetrahedron comes in when its width rises, which is one of finitely many gates.
+  // Ends: a tetrahedron enters when its width rises, and widths are those of finitely many facets.
   while (!widest.empty() || !front.empty()) {
     Index t;
     if (!widest.empty()) {

@@ -7,11 +7,13 @@
 
 namespace filmsticking {
 
-/// For each tetrahedron the largest ball that can roll to it from infinity, relative to what the samples it
-/// must pass cover: the best way's narrowest facet, measured by its empty circle over the spacing of its
-/// corners. Solids that are sampled everywhere have values below two or so; the outside has the width of the
-/// mouth that leads there. Widths are told apart between `least` and `most` only and clamped to them, which
-/// saves most of the work; infinite tetrahedra have `most`.
+/// For each tetrahedron the radius of the largest ball that can roll there from infinity, in spacings: the
+/// widest path's narrowest facet, measured by its empty ball over the largest spacing of its corners. Inside
+/// a densely sampled solid the width is below about two. Outside it is the width of the opening that leads
+/// there.
+///
+/// Widths are clamped to [least, most], which saves most of the work. Infinite tetrahedra have `most`.
+/// `spacing`: per site, as in SiteGeometry.
 std::vector<double> ball_widths(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
                                 const std::vector<double>& spacing, double least, double most);
 

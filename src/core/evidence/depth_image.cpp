@@ -28,45 +28,44 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point2 = Kernel::Point_2;
 
-// The cosine of the widest angle from the middle of an image to its pixels. From the middle of a shape all of
-// it is seen once as well.
+// Cosine of the widest angle from an image's middle to its pixels. Wider, the viewpoint may be inside a
+// shape, which is visible wholly from there as well.
 constexpr double kWidest = 0.17;
-// The same where the pixels lie anyhow, as a camera's view: what is near a sheet on its back sees all of it,
-// too.
+// The same for unevenly spaced pixels. Wider, the viewpoint may be just behind a sheet.
 constexpr double kWide = 0.55;
-// A pixel is too near to another if it is nearer than this share of what is usual among so many around it. Of
-// the pixels that are looked at, about so many, no more than that share may be.
+// A pixel is too near to another if it is nearer than kTooNear of the median among the kAround nearest
+// pixels. Of a sample of kLookedAt pixels at most kFewTooNear may be.
 constexpr double kTooNear = 0.5, kFewTooNear = 0.005;
 constexpr std::size_t kAround = 12, kLookedAt = 4000;
-// The pixels of the smallest image: fewer points lie apart by chance.
+// Pixels of the smallest image: fewer points are evenly spaced by chance.
 constexpr std::size_t kFewest = 100;
-// Pixels that are looked at between two looks at the caller's stop.
+// Pixels between two checks of the cancel.
 constexpr std::size_t kAtATime = 64;
-// A pixel's fourth neighbour is no farther than so many times its first one, of most pixels of a camera.
+// In a camera's image the fourth neighbour of kMostSquare of the pixels is within kSquare times the
+// distance of the first.
 constexpr double kSquare = 1.5, kMostSquare = 0.9;
-// The farthest viewpoint, in sides of the box: from farther, directions are rounded.
+// Farthest viewpoint, in box sides: from farther, rounding moves the directions.
 constexpr double kFarthest = 100;
-// Shares of the sites that a depth image may leave off, and parts or handles that it may have. Images
+// Most sites that an image may miss, and most components and handles, by the number of sites. Images
 // measured: 0.001 and 0.0004.
 constexpr double kFewOff = 0.01, kFewParts = 0.005;
-// The disagreement (SurfaceQuality) of an image that is sure to be a camera's, with depths in steps
-// (measured: 0.43, and of two surfaces 0.58 and more), and of others (0.13, and of regular plates 0.21 and
-// more).
+// Most disagreement (SurfaceQuality) of an image. kSteps: with depths in steps; measured 0.43, two surfaces
+// 0.58 and more. kRough: where only even spacing speaks for an image; measured 0.13, regular plates 0.21 and
+// more.
 constexpr double kSteps = 0.5, kRough = 0.17;
-// The shares of sites off an image and between two layers (share_between_layers()) below which it is one
-// however its pixels lie. Measured: 0.016 between, in noise of half the spacing or thinned; 0.02 to 0.16
-// where depths come in steps as wide as the cells; 0.14 and more where there are two surfaces in a quarter of
-// it.
+// An image with unevenly spaced pixels misses at most kHardlyOff of the sites, and has at most kBetween of
+// them between two layers (share_between_layers()). Measured between layers: 0.016 thinned or with noise of
+// half the spacing, 0.02 to 0.16 with depth steps as wide as the cells, 0.14 and more with two surfaces in a
+// quarter of the image.
 constexpr double kHardlyOff = 0.003, kBetween = 0.05;
-// How high a triangle must be in the image, in its longest edge, to show its front.
+// Least height of a triangle in the image, over its longest edge, for its front to count as visible.
 constexpr double kFront = 0.01;
-// Behind the surface of a shape there is more than this share of what is before it in its hull, or it is a
-// bowl, seen from within.
+// Least volume behind the surface, over the volume before it, within the convex hull. Less: a bowl, seen from
+// within.
 constexpr double kBehind = 0.25;
-// Faces that a walk through the image may cross: more than there are from one side of a camera's image to the
-// other.
+// Most faces that a walk through the image crosses: more than from side to side of a camera's image.
 constexpr int kLongestWalk = 10000;
-// A flipped edge is shorter by more than rounding, so that flips end.
+// A flip shortens the edge by more than rounding, so that flips end.
 constexpr double kShorter = 1 - 1e-9;
 
 std::vector<Vec3> directions(const std::vector<Vec3>& places, const Vec3& viewpoint) {
@@ -86,10 +85,10 @@ bool within(double cosine, const std::vector<Vec3>& seen) {
   return std::all_of(seen.begin(), seen.end(), [&](const Vec3& u) { return u.dot(middle) > cosine; });
 }
 
-/// How pixels lie, seen from a viewpoint.
+/// How evenly pixels are spaced, seen from a viewpoint.
 struct Spread {
   bool apart;    // hardly one is too near to another
-  bool squares;  // most have four neighbours about as near, as those of a camera
+  bool squares;  // most have four neighbours at about the same distance, as in a camera's image
 };
 
 Spread spread_of(const std::vector<Vec3>& seen, const Cancel& cancel) {
@@ -102,7 +101,7 @@ Spread spread_of(const std::vector<Vec3>& seen, const Cancel& cancel) {
   const EveryNth looked(seen.size(), kLookedAt);
   const double most = kFewTooNear * static_cast<double>(looked.size());
   double too_near = 0, in_square = 0;
-  // By a few at a time: where all are in one direction, each search looks at all of them.
+  // In small batches, to stop early: if all pixels are in one direction, each search visits all of them.
   for (std::size_t begin = 0; begin < looked.size() && too_near <= most; begin += kAtATime) {
     cancel();
     const std::size_t end = std::min(looked.size(), begin + kAtATime);
@@ -123,7 +122,7 @@ Spread spread_of(const std::vector<Vec3>& seen, const Cancel& cancel) {
   return {too_near <= most, in_square >= kMostSquare * static_cast<double>(looked.size())};
 }
 
-// Where the lines of sight cross a plane before the viewpoint.
+// The pixels: where the lines of sight cross a plane before the viewpoint.
 std::vector<Point2> flat_image(const std::vector<Vec3>& places, const Vec3& viewpoint) {
   const std::vector<Vec3> seen = directions(places, viewpoint);
   const Vec3 ahead = middle_of(seen), x = ahead.unitOrthogonal(), y = ahead.cross(x);
@@ -135,7 +134,7 @@ std::vector<Point2> flat_image(const std::vector<Vec3>& places, const Vec3& view
   return pixels;
 }
 
-/// Which triangles show their front, seen from the viewpoint, and not edge-on: three pixels in a row do not.
+/// Tests whether a triangle shows its front to the viewpoint. False edge-on, as for three pixels in a row.
 class Fronts {
  public:
   Fronts(const std::vector<Vec3>& places, const Vec3& viewpoint) : seen_(directions(places, viewpoint)) {}
@@ -149,7 +148,7 @@ class Fronts {
   std::vector<Vec3> seen_;
 };
 
-// Of sites; clockwise on the plane, of which the viewpoint is on the other side.
+// Triangles of sites, clockwise on the plane, so that they face the viewpoint.
 std::vector<Corners> delaunay_triangles(const std::vector<Point2>& pixels,
                                         const std::vector<double>& distance, const Cancel& cancel) {
   using Vertex = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
@@ -183,7 +182,7 @@ Surface image_surface(const std::vector<Vec3>& places, const Vec3& viewpoint,
   std::vector<double> distance(places.size());
   parallel_each(places.size(), [&](std::size_t i) { distance[i] = (places[i] - viewpoint).norm(); });
   std::vector<Corners> triangles = delaunay_triangles(pixels, distance, cancel);
-  // At the rim of the image, the Delaunay triangulation has rows of pixels as triangles.
+  // At the image's rim the Delaunay triangulation makes triangles of pixels in a row.
   const Fronts shows_front(places, viewpoint);
   triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
                                  [&](const Corners& t) { return !shows_front(t[0], t[1], t[2]); }),
@@ -191,8 +190,7 @@ Surface image_surface(const std::vector<Vec3>& places, const Vec3& viewpoint,
   return surface_of_sites(std::move(triangles), places);
 }
 
-// Flips edges where the other diagonal of their faces is shorter in space and both faces show their fronts
-// then.
+// Flips edges if the other diagonal is shorter in space and both new faces show their fronts.
 void flip_to_shorter(Surface& surface, const Fronts& shows_front, const Cancel& cancel) {
   std::vector<Index> twin = half_edge_twins(surface.triangles, static_cast<Index>(surface.positions.size()));
   const auto origin = [&](Index h) { return surface.triangles[h / 3][h % 3]; };
@@ -214,8 +212,8 @@ void flip_to_shorter(Surface& surface, const Fronts& shows_front, const Cancel& 
   }
 }
 
-// Of each face the gap in space, or that in the image if it is wider. Some pixels of a face seen at a grazing
-// angle are far from all others: what one sample covers is told by those around it as well.
+// Of each face the larger of its gaps (face_gaps()) in space and in the image. At a grazing angle some pixels
+// are far from all others, so a neighbour's spacing counts if it is smaller.
 std::vector<float> wider_gaps(const Surface& surface, const std::vector<Point2>& pixels,
                               const SiteGeometry& geometry) {
   SiteGeometry in_space;
@@ -272,7 +270,7 @@ std::vector<double> depth_image_sides(const TetrahedralMesh& mesh, const std::ve
   const Surface surface = image_surface(places, viewpoint, flat_image(places, viewpoint), cancel);
   const std::vector<Index> twin =
       half_edge_twins(surface.triangles, static_cast<Index>(surface.positions.size()));
-  std::vector<Index> face_of(places.size(), kNone);  // one of the faces at each site that has some
+  std::vector<Index> face_of(places.size(), kNone);  // a face at each site on the surface
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     for (const Index v : surface.triangles[t]) face_of[surface.site[v]] = static_cast<Index>(t);
   std::vector<double> side(mesh.size(), -1);
@@ -285,8 +283,8 @@ std::vector<double> depth_image_sides(const TetrahedralMesh& mesh, const std::ve
       if (face == kNone) face = face_of[i];
     }
     if (face == kNone) return;
-    // A visibility walk, from where the tetrahedron is. It ends in a Delaunay triangulation, at the latest at
-    // its rim; were rounding to let it turn in a ring, it would be left there.
+    // A visibility walk from a face near the tetrahedron. In a Delaunay triangulation it ends, at the latest
+    // at the rim. kLongestWalk bounds it, should rounding let it cycle.
     for (int steps = 0, turned = 1; turned != 0 && steps < kLongestWalk; ++steps) {
       turned = 0;
       for (int k = 0; k < 3 && turned == 0; ++k) {

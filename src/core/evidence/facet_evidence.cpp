@@ -13,7 +13,7 @@ namespace {
 constexpr double kVotePrice[4] = {1.0, 0.6, 0.25, 0.02};
 constexpr double kQualityPrice = 0.3;
 
-// Does the segment from p along d, to q or to infinity, cross the plane through v within `reach` of v?
+// Does the segment from p to p + along, or the ray, cross the plane through v within `reach` of v?
 bool crosses(const Vec3& p, const Vec3& along, bool ray, const Vec3& v, const Vec3& normal, double reach) {
   const double hp = normal.dot(p - v), step = normal.dot(along);
   if (step == 0) return false;
@@ -22,6 +22,7 @@ bool crosses(const Vec3& p, const Vec3& along, bool ray, const Vec3& v, const Ve
   return (p + s * along - v).squaredNorm() <= reach * reach;
 }
 
+// Of the angle between a facet and the circumsphere of t.
 double cosine(const TetrahedralMesh& mesh, Index t, const Vec3& corner, const Vec3& unit_normal_away) {
   if (mesh.tets.infinite(t)) return 1;
   const double r = mesh.circumradius[t];
@@ -41,7 +42,7 @@ FacetEvidence facet_evidence(const TetrahedralMesh& mesh, const std::vector<Vec3
     evidence.area[t] = {0, 0, 0, 0}, evidence.votes[t] = {0, 0, 0, 0}, evidence.cost[t] = {0, 0, 0, 0};
     for (int k = 0; k < 4; ++k) {
       const Index mirror = mesh.mirror[t][k], u = mirror / 4;
-      if (mirror < 4 * t + k) continue;  // the other side fills in
+      if (mirror < 4 * t + k) continue;  // the other side computes this facet
       const auto& corners = mesh.tets.corners[t];
       const Index ids[3] = {corners[kFacet[k][0]], corners[kFacet[k][1]], corners[kFacet[k][2]]};
       if (ids[0] == kNone || ids[1] == kNone || ids[2] == kNone) continue;
@@ -66,7 +67,7 @@ FacetEvidence facet_evidence(const TetrahedralMesh& mesh, const std::vector<Vec3
       evidence.cost[t][k] = static_cast<float>(area * (kVotePrice[votes] + kQualityPrice * quality));
     }
   });
-  // Each facet was looked at from its first side; now the second sides, which nobody reads.
+  // Copy to the mirror facets.
   parallel_each(mesh.size(), [&](std::size_t ti) {
     const Index t = static_cast<Index>(ti);
     for (int k = 0; k < 4; ++k) {

@@ -8,22 +8,23 @@
 
 namespace filmsticking {
 
-/// What a facet says of its two sides, by votes: 1 the same, -1 opposite.
+/// How a facet couples its two sides, by its votes: 1 equal, -1 opposite.
 constexpr double kVoteCoupling[4] = {1.0, 0.3, -0.3, -1.0};
 
-/// What is known of each facet from the sites alone. Index [t][k]: the facet of tetrahedron t opposite its
-/// corner k, the same from both sides; facets with the infinite vertex have zeros.
+/// Evidence for each Delaunay facet, from the sites alone. Entry [t][k] is the facet of tetrahedron t
+/// opposite its corner k, equal from both sides. Facets with the infinite vertex have zeros.
 struct FacetEvidence {
   UnsetVector<std::array<float, 4>> area;
-  /// 0 to 3: a corner votes for the facet if the facet's dual Voronoi edge crosses the corner's tangent plane
-  /// within two spacings of it, that is, if the facet belongs to the corner's own local triangulation (the
-  /// idea of Co3Ne, Boltcheva and Levy 2017, on the Delaunay facets).
+  /// 0 to 3, one per corner. A corner votes for the facet if the dual Voronoi edge crosses the corner's
+  /// tangent plane within two spacings: the facet belongs to the corner's local triangulation (after Co3Ne,
+  /// Boltcheva and Levy 2017).
   UnsetVector<std::array<signed char, 4>> votes;
-  /// What it costs to have the facet on the surface: area x (a price by votes + a price for empty balls that
-  /// do not lie flat on it, Labatut et al. 2009).
+  /// Cost of the facet on the surface: area x (price by votes + price by angle). The angle is between the
+  /// facet and its tetrahedra's circumspheres (Labatut et al. 2009).
   UnsetVector<std::array<float, 4>> cost;
 };
 
+/// `mesh`: the Delaunay tetrahedra of `sites`.
 FacetEvidence facet_evidence(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
                              const SiteGeometry& geometry);
 

@@ -9,13 +9,13 @@
 
 namespace filmsticking {
 
-/// The share of a surface's sites at which it goes to and fro between two layers of places, such as the sides
-/// of a wall, by a sample of them: it is against the plane fitted to the neighbours there, and noise does not
-/// say why.
+/// The share of a surface's sites at which the surface zigzags between two layers of sites, such as the sides
+/// of a wall. Estimated from a sample. At such a site the surface disagrees with the plane fitted to the
+/// neighbours, and noise does not explain it.
 ///
-/// Noise has places off a smooth surface by deviations of any size, mostly small ones: the kurtosis of these
-/// is near 3. Two layers have them half their distance off the middle: it is near 1. Layers that are too far
-/// apart for neighbours to be on both are flat by themselves.
+/// Noise scatters sites around a smooth surface, mostly by small distances: the kurtosis of the distances is
+/// near 3. Two layers are both half their distance off the middle: the kurtosis is near 1. Layers too far
+/// apart to share neighbours are each flat. `places`: of all sites, indexed by surface.site.
 double share_between_layers(const Surface& surface, const std::vector<Vec3>& places,
                             const SiteGeometry& geometry, const Cancel& cancel = {});
 

@@ -13,28 +13,28 @@
 namespace filmsticking {
 namespace {
 
-// Pixels that are looked at, about, and their nearest ones, which hold the eight around a pixel.
+// Size of the sample, and nearest pixels of each: the eight around it.
 constexpr std::size_t kLookedAt = 10000, kAround = 8;
-// Two of these are opposite each other if the middle between them is within such a share of the shorter
-// distance: within the second where those within the first do not tell.
+// Two of the eight are opposite if their midpoint is within this share of the shorter distance. The second
+// share is tried if the first finds nothing.
 constexpr double kOpposite[] = {0.125, 0.25};
-// The sine of the bend of three pixels in a row below which rounding and noise say where their plane is; and
-// the least mean weight: that of places on a plane is rounding.
+// Sine of the bend of three pixels below which rounding and noise decide their plane. Below the least mean
+// weight all places lie on a plane.
 constexpr double kBend = 0.02, kSomeBend = 1e-5;
-// The sine of the angle between a plane and a line of sight: in the first iteration and the last one it
-// counts for half, and the mean of a raster's, where no more than the third counts, is below the share.
+// Sine of the angle between a plane and the line of sight at which the plane's weight is halved, in the first
+// and the last iteration. Of a raster the mean sine, clamped to kMiss, is below kMeet * kMiss.
 constexpr double kFirstSlack = 0.5, kLastSlack = 0.01, kMiss = 0.05, kMeet = 0.7;
 constexpr int kIterations = 40;
-// The farthest viewpoint, in sides of the box.
+// Farthest viewpoint, in box sides.
 constexpr double kFarthest = 30;
 
 /// The plane of three pixels in a row.
 struct RowPlane {
-  Vec3 place, normal;  // of the middle pixel, and unit
-  double weight;       // 0 for pixels on a line, and at most 1
+  Vec3 place, normal;  // the middle pixel's place, a unit normal
+  double weight;       // 0 for collinear pixels, at most 1
 };
 
-// Bends in the surface are of other threes: those of a row are seen in it as lines.
+// A plane that contains the surface's normal weighs most: it cuts the surface along the row.
 std::vector<RowPlane> row_planes(const std::vector<Vec3>& places, const PointTree& tree,
                                  const SiteGeometry& geometry, double opposite) {
   const EveryNth looked(places.size(), kLookedAt);
@@ -64,7 +64,7 @@ double miss(const RowPlane& plane, const Vec3& x) {
   return std::abs(plane.normal.dot(ray)) / std::max(ray.norm(), 1e-300);
 }
 
-// One step of least squares: where the planes meet that nearly met at x.
+// One step of reweighted least squares: planes close to x weigh most.
 Vec3 meeting_point(const std::vector<RowPlane>& planes, const Vec3& x, double slack) {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
   Vec3 right = Vec3::Zero();
@@ -75,7 +75,7 @@ Vec3 meeting_point(const std::vector<RowPlane>& planes, const Vec3& x, double sl
     matrix += weight * plane.normal * plane.normal.transpose();
     right += weight * plane.normal.dot(plane.place) * plane.normal;
   }
-  const double held = 1e-9 * matrix.trace();  // where the planes leave x free, it stays
+  const double held = 1e-9 * matrix.trace();  // x stays where the planes do not determine it
   matrix += held * Eigen::Matrix3d::Identity();
   return matrix.ldlt().solve(right + held * x);
 }

@@ -22,7 +22,7 @@ std::size_t attraction_weights(const Surface& film, const std::vector<Vec3>& sit
     const double d2 = (q - foot).squaredNorm();
     double in_front2 = 0, vertex2 = 0;
     off_tree.nearest(foot, &in_front2);
-    if (in_front2 < d2 * (1 - 1e-9)) return;  // behind another one
+    if (in_front2 < d2 * (1 - 1e-9)) return;  // behind another site
     vertex_tree.nearest(q, &vertex2);
     weights[off[k]] = d2 + 0.1 * std::max(0.0, vertex2 - d2);
   });

@@ -11,14 +11,14 @@
 namespace filmsticking {
 namespace {
 
-// What lies across a polygon edge inside a face: a half-edge of the dual, or one side of a crossing.
-// Half-edges of a chunk are numbered within the chunk: chunk << 32 | half-edge; sides are negative.
+// What is across a polygon's edge: a half-edge of the dual, as chunk << 32 | its number in the chunk, or one
+// side of a crossing, as a negative number.
 using Port = std::int64_t;
 Port side_port(std::int64_t side) { return -1 - side; }
 bool is_side(Port p) { return p < 0; }
 std::int64_t side_of(Port p) { return -1 - p; }
 
-// Fills the faces of one chunk.
+// Makes the dual of a chunk of faces.
 class FaceFiller {
  public:
   FaceFiller(const Surface& surface, const RestrictedPowerDiagram& restricted, const PowerDiagram& diagram,
@@ -38,8 +38,8 @@ class FaceFiller {
     for (Index k = 0; k < 3; ++k) append_edge(3 * face + k);
     if (border_.empty()) return;
     prepare_plane(face);
-    // A cell meets a face in one convex piece, so where a site stands twice on the border the dual is
-    // pinched there: the polygon falls apart into polygons of distinct sites.
+    // A cell meets a face in one convex region. So where a site occurs twice along the border, the dual is
+    // pinched: divide the polygon into polygons of distinct sites.
     polygon_.clear();
     for (const Corner& corner : border_) {
       const auto twin = std::find_if(polygon_.begin(), polygon_.end(),
@@ -54,7 +54,7 @@ class FaceFiller {
     used_.clear();
     for (const Corner& corner : border_) used_.push_back(corner.site);
     std::sort(used_.begin(), used_.end());
-    // Ends: a polygon falls into smaller ones, or takes in a site that is new to the face.
+    // Ends: a polygon is divided into smaller ones, or gains a site that is new to the face.
     while (!stack_.empty()) {
       std::vector<Corner> top = std::move(stack_.back());
       stack_.pop_back();
@@ -88,7 +88,7 @@ class FaceFiller {
     if (y_axis_.squaredNorm() > 0) y_axis_.normalize();
   }
 
-  // A site seen from the face's plane: |x-p|^2 - w = |x|^2 - 2 x.flat + height for x in the plane.
+  // A site's power on the face's plane: |x-p|^2 - w = |x|^2 - 2 x.flat + height for x in the plane.
   struct Projected {
     Eigen::Vector2d flat;
     double height;
@@ -99,7 +99,7 @@ class FaceFiller {
             p.squaredNorm() - (diagram_.weight.empty() ? 0 : diagram_.weight[s])};
   }
 
-  // The arc between two cells, as the line from which it is a part.
+  // The line on the face's plane that contains the arc between two cells.
   struct Arc {
     Projected a;
     Eigen::Vector2d start, direction;
@@ -116,7 +116,7 @@ class FaceFiller {
     r.direction = {-ab.y(), ab.x()};
     return r;
   }
-  // How far along the arc the cell of s ends it; infinity if s is not ahead.
+  // Where along the arc the cell of s ends it; infinity if s is not ahead.
   double end_of_arc(const Arc& r, Index s) const {
     const Projected c = project(s);
     const Eigen::Vector2d ac = c.flat - r.a.flat;
@@ -125,7 +125,7 @@ class FaceFiller {
     return (c.height - r.a.height - 2 * r.start.dot(ac)) / (2 * ahead);
   }
 
-  // A point of an arc, in space; the face's first corner where rounding left none.
+  // A point of an arc, in space. The face's first corner if rounding left no arc.
   Vec3 point_at(const Arc& r, double s) const {
     if (!r.valid || !std::isfinite(s)) return origin_;
     const Eigen::Vector2d x = r.start + s * r.direction;
@@ -148,7 +148,7 @@ class FaceFiller {
   }
   void connect(Port p, Port q) { set(p, q), set(q, p); }
 
-  // Gift wrapping: the arc across the polygon's first edge ends at the first cell ahead of it.
+  // Gift wrapping: the arc between the polygon's first two cells ends at the first cell ahead.
   void triangulate(std::vector<Corner> p) {
     if (p.size() == 2) return connect(p[0].port, p[1].port);
     const Index a = p[0].site, b = p[1].site;
@@ -168,7 +168,7 @@ class FaceFiller {
       }
     }
     if (inner != kNone) {
-      // A cell inside the face. Each is met once, so this ends.
+      // The apex is a cell inside the face. Ends: each is used once.
       used_.insert(std::lower_bound(used_.begin(), used_.end(), inner), inner);
       const Index h = add_triangle(a, b, inner, point_at(r, first));
       connect(port_of(h), p[0].port);
@@ -197,7 +197,7 @@ class FaceFiller {
   std::vector<Port>& inside_;
   std::vector<Corner> border_, polygon_;
   std::vector<std::vector<Corner>> stack_;
-  std::vector<Index> used_;  // sites already in this face's dual, in order
+  std::vector<Index> used_;  // sites in this face's dual so far, sorted
   Vec3 origin_, x_axis_, y_axis_;
 };
 
@@ -207,8 +207,7 @@ HalfEdgeComplex dual_complex(const Surface& surface, const RestrictedPowerDiagra
                              const PowerDiagram& diagram) {
   constexpr std::size_t kChunk = 1024;
   const std::size_t faces = surface.triangles.size(), chunks = (faces + kChunk - 1) / kChunk;
-  std::vector<Port> inside(2 *
-                           restricted.cell.size());  // what lies inside the face at each side of a crossing
+  std::vector<Port> inside(2 * restricted.cell.size());  // across each side of a crossing, inside the face
   std::vector<FaceFiller> fillers;
   fillers.reserve(chunks);
   for (std::size_t c = 0; c < chunks; ++c) fillers.emplace_back(surface, restricted, diagram, c, inside);
@@ -230,8 +229,7 @@ HalfEdgeComplex dual_complex(const Surface& surface, const RestrictedPowerDiagra
     const auto& across = fillers[chunk].across;
     for (std::size_t k = 0; k < across.size(); ++k) {
       Port p = across[k];
-      // An arc may run through faces in which nothing else meets it. It started at a triple point, so it
-      // ends at one.
+      // An arc may cross several faces before it ends. It ends at a triple point because it starts at one.
       while (is_side(p)) p = inside[side_of(p) ^ 1];
       dual.twin[offset[chunk] + static_cast<Index>(k)] = offset[p >> 32] + static_cast<Index>(p & 0xffffffff);
     }

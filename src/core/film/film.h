@@ -14,26 +14,29 @@
 
 namespace filmsticking {
 
-/// One film step (paper, section 4): cut the film by the power diagram, take the dual, repair it. A pure
-/// function. Vertices of the result are sites of the diagram; empty where the film has no triple point.
+/// One film step (paper, section 4): divide the film by the power diagram, take the dual, repair it. A pure
+/// function. The result is a closed manifold whose vertices are sites of the diagram; empty if no three cells
+/// meet on the film. `counts`: receives what the repair did.
 Surface film_step(const Surface& film, const PowerDiagram& diagram, RingChoice ring, RepairCounts& counts);
 
-/// The same number for the same triangles of sites; others differ but for chance.
+/// A hash of the triangles, by their sites.
 std::uint64_t connectivity_hash(const Surface& film);
 
-/// How a film evolves.
+/// Options of evolve_film().
 struct FilmOptions {
   RingChoice ring = RingChoice::Smooth;
   bool weights = true;
   int max_steps = 60;
-  int round = 0;                                                      ///< copied to the records
-  std::function<bool(const StepRecord&, const Surface&)> after_step;  ///< false: stop
+  int round = 0;                                                      ///< copied to every record
+  std::function<bool(const StepRecord&, const Surface&)> after_step;  ///< returns false to stop
 };
 
-/// Evolves a film until every site is on it and its triangles stay the same, or nothing changes any more, or
-/// the steps are used up. `sites` are the points followed by the virtual sites; `points` is the number of the
-/// former, which `voronoi` (their Delaunay triangulation, without virtual sites) holds too. Virtual sites
-/// leave when they reach the film.
+/// The entry of film/: evolves a film from a start by film steps until they change nothing more, until the
+/// film stalls or after max_steps. The start is any closed manifold around the sites (initial_surface.h).
+///
+/// `sites`: the points, then the virtual sites. `points`: the number of points. `voronoi`: the diagram of the
+/// points alone. A virtual site is removed when the film reaches it, and all are once every point is on the
+/// film (paper, section 4.3). Where the film stalls, weights attract the sites off it for one step (4.2).
 Surface evolve_film(Surface film, const std::vector<Vec3>& sites, std::size_t points,
                     const PowerDiagram& voronoi, const FilmOptions& options);
 

@@ -16,7 +16,7 @@
 namespace filmsticking {
 namespace {
 
-// What a ring loses, in units of its roughness, when all its neighbours have chosen another layer.
+// Added to a ring's roughness if all its neighbours have chosen another layer.
 constexpr double kCoherence = 2;
 
 class HalfEdgeRepair {
@@ -36,9 +36,9 @@ class HalfEdgeRepair {
     find_orbits();
     choose_rings();
     for (Index o = 0; o < static_cast<Index>(out_.size()); ++o) push(o);
-    // Ends: what is pushed is beside an operation, and these end (see the header).
+    // Ends: only operations push orbits, and the number of operations is bounded (see the header).
     while (!queue_.empty()) {
-      // First in, first out by halves: the order is that of the orbits, hence of the input.
+      // Batch by batch: the order depends on the input alone.
       std::vector<Index> batch;
       batch.swap(queue_);
       for (Index o : batch) {
@@ -54,7 +54,7 @@ class HalfEdgeRepair {
 
  private:
   const Vec3& at(Index orbit) const { return positions_[orbit_site_[orbit]]; }
-  // Twins pair all half-edges at all times, so that every loop of rotate() comes back to where it began.
+  // All half-edges are paired at all times, so every loop of rotate() returns to its start.
   Index rotate(Index h) const { return twin_[prev_in_face(h)]; }
   Index target(Index h) const { return orbit_[next_in_face(h)]; }
 
@@ -85,13 +85,13 @@ class HalfEdgeRepair {
     }
   }
 
-  // The rings of all sites with several, the clearest choice first. Where two layers of the film lie on the
-  // same sites their rings are equally smooth, and choices made one by one would patch the layers together;
-  // so a ring is the worse for every neighbour that has chosen the other layer.
+  // Chooses the ring of every site that has several, the clearest choice first. Where two layers of the film
+  // share their sites, their rings are equally smooth, and independent choices would mix the layers. So each
+  // neighbour that has chosen the other layer adds to a ring's cost.
   void choose_rings() {
     std::vector<double> cost(out_.size(), 0), against(out_.size(), 0);
     std::vector<char> undecided(orbits_of_site_.size(), 0);
-    // The least cost and its lead over the next.
+    // The ring of least cost, and its lead over the next.
     const auto best_of = [&](Index site) {
       Index best = kNone;
       double least = std::numeric_limits<double>::infinity(), second = least;
@@ -113,8 +113,8 @@ class HalfEdgeRepair {
       undecided[s] = 1;
       queue.emplace(best_of(static_cast<Index>(s)).first, -static_cast<Index>(s));
     }
-    // Ends: a turn decides a site, or brings an entry up to date, which it stays until the next decision.
-    // Costs are finite, so no lead differs from itself.
+    // Ends: each turn decides a site or updates an entry, which stays valid until the next decision. Costs
+    // are finite, so a lead equals itself.
     while (!queue.empty()) {
       const auto [lead, negative] = queue.top();
       const Index site = -negative;
@@ -130,7 +130,7 @@ class HalfEdgeRepair {
       for (Index o : orbits_of_site_[site]) {
         surplus_[o] = o != best;
         if (o == best) continue;
-        // The neighbours of what goes lose a part of their ring.
+        // The removed ring's neighbours lose a part of theirs.
         Index h = out_[o];
         do {
           const Index p = target(h);
@@ -155,7 +155,7 @@ class HalfEdgeRepair {
     return ring_.size() < 3 ? std::numeric_limits<double>::max() : ring_roughness(at(o), ring_);
   }
 
-  // Of several orbits of a site, marks all but one as surplus.
+  // Marks all but the best of a site's orbits as surplus.
   void choose_ring(Index site) {
     auto& orbits = orbits_of_site_[site];
     orbits.erase(std::remove_if(orbits.begin(), orbits.end(), [&](Index o) { return out_[o] == kNone; }),
@@ -206,7 +206,6 @@ class HalfEdgeRepair {
     double least = std::numeric_limits<double>::infinity();
     for (Index e : {g, h}) {
       const Index c = orbit_[prev_in_face(e)], d = orbit_[prev_in_face(twin_[e])];
-      // A surplus neighbour goes soon, and its star with it.
       if (c == d || joined(c, d)) continue;
       const double cost = std::max(circumradius2(at(c), at(d), at(a)), circumradius2(at(c), at(d), at(b)));
       if (flip == kNone || cost < least) least = cost, flip = e;
@@ -333,11 +332,11 @@ class HalfEdgeRepair {
     fill_polygon(std::move(orbits), std::move(ports));
   }
 
-  // Ears of a polygon of distinct orbits, best first; chords that would be double edges last.
+  // Clips ears of a polygon of distinct orbits, best first. Ears whose chord is an edge already come last.
   void fill_polygon(std::vector<Index> orbits, std::vector<Index> ports) {
-    while (orbits.size() > 3) {  // ends: an ear less each time
+    while (orbits.size() > 3) {  // ends: each turn clips an ear
       const std::size_t n = orbits.size();
-      // The cheapest ear whose chord is no edge yet; the test for that is the dear part, so cheapest first.
+      // The cheapest ear whose chord is no edge yet. That test is slow, so by rising cost.
       ears_.clear();
       for (std::size_t k = 0; k < n; ++k)
         ears_.emplace_back(circumradius2(at(orbits[k]), at(orbits[(k + 1) % n]), at(orbits[(k + 2) % n])), k);
@@ -365,16 +364,16 @@ class HalfEdgeRepair {
     for (Index k = 0; k < 3; ++k) attach(h + k, ports[k]);
   }
 
-  // Is there an edge in what is left of the surface outside the hole, or in the filling so far? The ring of
-  // an orbit on the rim is open now, so look through the triangles that were around it.
+  // Is there an edge between two orbits outside the hole, or in the filling so far? The ring of an orbit on
+  // the rim is open now.
   bool has_edge(Index a, Index c) const {
     for (Index f : fresh_)
       for (Index k = 0; k < 3; ++k) {
         const Index h = 3 * f + k;
         if ((orbit_[h] == a && target(h) == c) || (orbit_[h] == c && target(h) == a)) return true;
       }
-    // From each rim edge that starts or ends at a, turn around a through the outside: the hole ends both
-    // turns, or they have come round.
+    // From each rim edge that starts or ends at a, rotate around a in both directions, up to the hole or to
+    // the start.
     for (Index h : outside_) {
       if (h < 0) continue;
       for (Index g : {h, next_in_face(h)}) {
@@ -397,7 +396,7 @@ class HalfEdgeRepair {
   }
 
   Index add_triangle(Index a, Index b, Index c) {
-    // The star has two triangles more than the filling of all its parts.
+    // Reuses triangles of the star, which has at least two more than the filling.
     const Index f = star_[fresh_.size()];
     fresh_.push_back(f);
     alive_[f] = 2;  // fresh: not part of the outside while the hole is open
@@ -413,7 +412,7 @@ class HalfEdgeRepair {
       link(h, port);
   }
 
-  // Joins what lies inside and outside of every rim edge, through rim edges that are glued to each other.
+  // Links the filling to the outside at every rim edge, through rim edges that are glued to each other.
   void glue() {
     const Index n = static_cast<Index>(outside_.size());
     for (Index i = 0; i < n; ++i)
@@ -431,8 +430,8 @@ class HalfEdgeRepair {
     for (Index f : fresh_) alive_[f] = 1;
   }
 
-  // After an operation around some orbits: each may have fallen into several, or have gone. `touched` holds
-  // a half-edge of each part.
+  // Updates orbits after an operation: each of `affected` may be divided into several, or be gone. `touched`
+  // holds a half-edge of each part.
   void relabel(const std::vector<Index>& affected, const std::vector<Index>& touched) {
     ++time_;
     for (Index o : affected) out_[o] = kNone, affected_[o] = time_;
@@ -454,7 +453,6 @@ class HalfEdgeRepair {
         g = rotate(g);
       } while (g != h);
       push(label);
-      // The neighbours' rings changed too, if only by a new label.
     }
     for (Index s : split) {
       choose_ring(s);
@@ -466,7 +464,7 @@ class HalfEdgeRepair {
   std::vector<Index> site_, twin_, orbit_;  // per half-edge
   std::vector<Vec3> point_;                 // per triangle: where its three cells meet
   std::vector<char> alive_;                 // per triangle
-  std::vector<Index> out_, orbit_site_;     // per orbit: a half-edge from it, or kNone: gone; its site
+  std::vector<Index> out_, orbit_site_;     // per orbit: a half-edge from it (kNone: gone), its site
   std::vector<char> queued_, surplus_;      // per orbit
   std::vector<std::vector<Index>> orbits_of_site_;
   std::vector<Index> queue_;

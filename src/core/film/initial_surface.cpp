@@ -16,7 +16,7 @@ namespace filmsticking {
 Surface bounding_sphere(const std::vector<Vec3>& sites) {
   double radius = 0;
   for (const Vec3& p : sites) radius = std::max(radius, p.norm());
-  // The faces of the icosphere cut up to 1 % off the sphere at three subdivisions.
+  // After three subdivisions the icosphere's faces are up to 1 % inside the sphere.
   radius = 1.1 * radius + 1e-3;
 
   Surface sphere;
@@ -54,7 +54,7 @@ Surface alpha_wrap(const std::vector<Vec3>& sites, double alpha) {
   points.reserve(sites.size());
   for (const Vec3& p : sites) points.emplace_back(p.x(), p.y(), p.z());
   WrapMesh wrap;
-  // The wrap stays `offset` off the points; a thirtieth of alpha is CGAL's own advice.
+  // The last number is the wrap's distance from the points: alpha / 30, as CGAL advises.
   CGAL::alpha_wrap_3(points, alpha, alpha / 30, wrap);
 
   Surface surface;

@@ -7,11 +7,11 @@
 
 namespace filmsticking {
 
-/// An icosphere around the box [-0.5, 0.5]^3 that holds every site (paper, section 3).
+/// An icosphere around all sites (paper, section 3). Its vertices are no sites. `sites`: around the origin.
 Surface bounding_sphere(const std::vector<Vec3>& sites);
 
-/// CGAL's alpha wrap of the sites: alpha is the radius of the ball that rolls outside, in units of the box.
-/// Empty where CGAL finds none.
+/// CGAL's alpha wrap of the sites; empty if CGAL finds none. `alpha`: radius of the ball that rolls outside,
+/// in units of the box.
 Surface alpha_wrap(const std::vector<Vec3>& sites, double alpha);
 
 }  // namespace filmsticking

@@ -29,7 +29,7 @@ class Inserter {
     int backs = 0;
     for (int k = 0; k < 3; ++k)
       if ((at(t[(k + 1) % 3]) - at(t[k])).cross(q - at(t[k])).dot(normal) <= 0) ++backs;
-    // One such face lies beyond an edge and is flipped away below; more mean that the face is the wrong one.
+    // One inverted face is beyond an edge and is flipped away below. More mean that this is the wrong face.
     if (backs > 1) return false;
     const Index v = static_cast<Index>(film_.positions.size());
     film_.positions.push_back(q);
@@ -58,7 +58,7 @@ class Inserter {
     return l > 0 ? Vec3(n / l) : Vec3::Zero();
   }
 
-  // How folded the faces around a pair are: its own dihedral angle and those to its four neighbours.
+  // How folded a pair of faces is: 1 - cosine, summed over its own edge and the edges to its four neighbours.
   double bend(const Vec3& n1, const Vec3& n2, const std::array<Vec3, 4>& around, bool flipped) const {
     // around: the faces across bc, ca (of abc) and ad, db (of bad).
     const Vec3 &bc = around[0], &ca = around[1], &ad = around[2], &db = around[3];
@@ -76,7 +76,7 @@ class Inserter {
   }
 
   void improve() {
-    // Every flip lowers the price of its pair; the number allowed is a bound against rounding.
+    // Every flip lowers the price of its pair. The bound on flips guards against rounding.
     for (int flips = 0; !queue_.empty() && flips < 64;) {
       const Index h = queue_.back(), g = twin_[h];
       queue_.pop_back();
@@ -100,7 +100,7 @@ class Inserter {
     queue_.clear();
   }
 
-  // The sum of the angles opposite an edge is below pi where the edge is Delaunay.
+  // `opposite`: the sum of the angles opposite the edge, below pi if the edge is Delaunay.
   static double price(double opposite, double bend) { return opposite / M_PI + bend; }
 
   Surface& film_;
@@ -115,8 +115,8 @@ std::int64_t insert_sites(Surface& film, const std::vector<Vec3>& sites, const s
   std::int64_t inserted = 0;
   std::vector<Index> waiting = off;
   Inserter inserter(film);
-  // A pass puts at most one site into each face, the nearest first, so that every site meets the mesh that
-  // the ones before it made. A pass that puts in none ends it; others leave fewer waiting.
+  // A pass inserts at most one site into each face, the nearest first. The next pass finds the nearest faces
+  // of the changed mesh. Ends: a pass inserts a site or is the last.
   while (!waiting.empty()) {
     const SurfaceTree tree(film);
     struct Candidate {

@@ -8,10 +8,12 @@
 
 namespace filmsticking {
 
-/// Puts sites into a closed manifold of sites: splits the nearest face into three, then flips the edges
-/// around where that makes the triangles better. Both keep a closed oriented manifold whatever the geometry.
-/// A site goes in only where none of the new faces turns its back on the split one, and within `reach` times
-/// the longest edge of that face; the others are left off. Returns the number of sites put in.
+/// Inserts the sites `off` into a closed manifold of sites: splits the nearest face into three, then flips
+/// edges around it if the triangles improve. Both keep a closed oriented manifold whatever the geometry.
+/// Returns the number of inserted sites.
+///
+/// A site stays off if its distance from the face exceeds `reach` times the face's longest edge. It also
+/// stays off if more than one of the new faces would be turned against the split one.
 std::int64_t insert_sites(Surface& film, const std::vector<Vec3>& sites, const std::vector<Index>& off,
                           double reach);
 

@@ -27,7 +27,7 @@ std::vector<double> poisson_belief(const TetrahedralMesh& mesh, const std::vecto
                                                          CGAL::Second_of_pair_property_map<Oriented>());
   if (!function.compute_implicit_function()) return {};
   std::vector<double> belief(mesh.size(), -1);
-  // One thread: the function keeps the tetrahedron it found last.
+  // One thread: CGAL's function caches the tetrahedron that it found last.
   for (std::size_t t = 0; t < mesh.size(); ++t) {
     if (mesh.tets.infinite(static_cast<Index>(t))) continue;
     Vec3 centre = Vec3::Zero();

@@ -10,12 +10,12 @@
 namespace filmsticking {
 namespace {
 
-// A walk that has looked at more neighbours than this for each site sorts the sites instead.
+// A walk that has visited more neighbours per site than this sorts the sites instead.
 constexpr std::int64_t kManyLooks = 16;
 
-// The cells along a segment from that of `a`, among all sites: each site's power is linear along the segment,
-// but for a part that all have in common, so they are the lower envelope of lines. They are found in the
-// order of their slopes, those of greater height later (as a convex hull by Andrew 1979).
+// Appends the cells along a segment, starting with a's, by all sites. Along the segment each site's power is
+// linear, up to a term common to all, so the cells are the lower envelope of lines. Found in the order of
+// slopes, as a convex hull (Andrew 1979).
 void envelope(const PowerDiagram& diagram, const Vec3& from, const Vec3& direction, Index a,
               std::vector<Index>& cells) {
   struct Line {
@@ -53,7 +53,7 @@ void walk(const PowerDiagram& diagram, const Vec3& from, const Vec3& to, Index a
   const std::int64_t most = counts.looks + kManyLooks * static_cast<std::int64_t>(diagram.position.size());
   cells.push_back(a);
   Index at = a;
-  // Along a line, the cells come in the order of direction.p: every move raises it, so the walk ends.
+  // Ends: along a line the cells have rising direction.p, so every move raises it.
   double height = direction.dot(diagram.position[at]);
   while (at != b && counts.looks <= most) {
     const double here = diagram.power(at, from);
@@ -78,7 +78,7 @@ void walk(const PowerDiagram& diagram, const Vec3& from, const Vec3& to, Index a
     if (end != cells.end()) cells.erase(end + 1, cells.end());
     at = cells.back();
   }
-  // Rounding may have the walk stop one cell short of the owner that was found for the vertex.
+  // Rounding may end the walk one cell before the end's owner.
   if (at != b) cells.push_back(b), ++counts.jumps;
 }
 
@@ -89,14 +89,15 @@ RestrictedPowerDiagram restrict_power_diagram(const Surface& surface, std::vecto
   RestrictedPowerDiagram restricted;
   restricted.twin = std::move(twin);
 
-  // Owners of the vertices. A vertex that is a site starts there; the others from the one before, which is
-  // near where the surface was written by a walk over it. Chunks make the hints independent of the threads.
+  // Owners of the vertices. The search starts at the vertex's own site, else at the owner of the vertex
+  // before, which is near if vertices are ordered by neighbourhood. Chunks make the hints independent of the
+  // threads.
   const std::size_t vertices = surface.positions.size();
   std::vector<Index> owner(vertices);
   parallel_chunks(vertices, 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
     Index hint = kNone;
     for (std::size_t v = begin; v < end; ++v) {
-      // A hint must have a cell; a site that left the diagram or is hidden has none.
+      // A hint must have a cell. Removed and hidden sites have none.
       if (surface.site[v] != kNone && diagram.has_cell(surface.site[v])) hint = surface.site[v];
       owner[v] = hint = diagram.owner(surface.positions[v], hint);
     }

@@ -16,12 +16,12 @@ struct Ball {
   double radius;
 };
 
-// Starts at the largest ball, so that the choice does not depend on an order.
+// Starts at the first, largest ball.
 std::vector<Vec3> farthest_points(const std::vector<Ball>& balls, std::size_t count) {
   std::vector<Vec3> chosen;
   std::vector<double> distance2(balls.size(), std::numeric_limits<double>::max());
   std::size_t next = 0;
-  while (chosen.size() < std::min(count, balls.size())) {  // ends: one more each time
+  while (chosen.size() < std::min(count, balls.size())) {  // ends: each turn chooses one
     chosen.push_back(balls[next].centre);
     parallel_each(balls.size(), [&](std::size_t i) {
       distance2[i] = std::min(distance2[i], (balls[i].centre - chosen.back()).squaredNorm());
@@ -32,7 +32,7 @@ std::vector<Vec3> farthest_points(const std::vector<Ball>& balls, std::size_t co
   return chosen;
 }
 
-// Chosen balls in a grid for each power of two of the radius.
+// Keeps the chosen balls in a hash grid per power of two of the radius.
 std::vector<Vec3> by_local_scale(const std::vector<Ball>& balls, std::size_t most) {
   std::vector<Vec3> chosen;
   std::unordered_map<std::uint64_t, std::vector<Ball>> grid;
@@ -50,7 +50,7 @@ std::vector<Vec3> by_local_scale(const std::vector<Ball>& balls, std::size_t mos
     const int level = std::ilogb(ball.radius);
     bool free = true;
     for (int l = finest; free && !first && l <= coarsest; ++l) {
-      const double size = std::ldexp(1.0, l);  // a chosen ball of level l keeps others out of less than this
+      const double size = std::ldexp(1.0, l);  // above the distance that a ball of level l excludes
       const std::int64_t x = cell(ball.centre.x(), size), y = cell(ball.centre.y(), size),
                          z = cell(ball.centre.z(), size);
       for (std::int64_t n = 0; free && n < 27; ++n) {

@@ -46,8 +46,8 @@ Index WindingNumber::build(Index begin, Index end) {
 }
 
 double WindingNumber::operator()(const Vec3& x) const {
-  constexpr double kFar2 =
-      2.3 * 2.3;  // distance over radius from which a group is one dipole (Barill et al.)
+  // From 2.3 radii away a group counts as one dipole (Barill et al.).
+  constexpr double kFar2 = 2.3 * 2.3;
   double sum = 0;
   for (Index n = 0; n < static_cast<Index>(nodes_.size());) {  // ends: `skip` is ahead
     const Node& node = nodes_[n];
@@ -61,7 +61,7 @@ double WindingNumber::operator()(const Vec3& x) const {
     if (node.skip == n + 1) {
       for (Index i = node.begin; i < node.end; ++i) {
         const Vec3 q = position_[i] - x;
-        // A dipole stands for a disc; within its radius the field is that of the disc, not of a point.
+        // A dipole stands for a disc: within the radius its field is bounded.
         const double q2 = q.squaredNorm() + dipole_[i].norm() / M_PI;
         sum += dipole_[i].dot(q) / (q2 * std::sqrt(q2));
       }

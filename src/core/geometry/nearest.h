@@ -9,6 +9,10 @@
 namespace filmsticking {
 
 /// Nearest points, exactly. Ties go to the lower index. Results are indices into the array given.
+///
+/// By hand: FLANN's exact index (1.9.2, double distances, a result set that keeps our ties) finds the same
+/// neighbours in the same time. 12 neighbours each of 1M points take 1.5 s of one thread with either. But
+/// when memory ends FLANN's node pool follows a null pointer; this tree throws bad_alloc.
 class PointTree {
  public:
   /// `points` must outlive the tree.

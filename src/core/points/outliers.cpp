@@ -12,14 +12,15 @@
 namespace filmsticking {
 namespace {
 
-// An outlier's spacing in those of its neighbours, and how far off a plane they are, or it from all of them.
+// An outlier has kLonely times its neighbours' spacing. Besides, the neighbours vary off their plane by
+// kNotFlat, or the site is kAside off their mean.
 constexpr double kLonely = 1.8, kNotFlat = 0.03, kAside = 2;
-// The same where the neighbours are outliers as well: in spacings of the median site, and scattered. Of the
-// points of evenly sampled surfaces neither takes one; of noise spread evenly through the box around them
-// both take three fifths to nine tenths, the rest being near the surface.
+// Where the neighbours are outliers as well: kFarOff times the median spacing, with neighbours that vary by
+// kScattered. Measured: both rules remove none of an evenly sampled surface, and 60 to 90 % of noise spread
+// evenly through its box; the rest is near the surface.
 constexpr double kFarOff = 4, kScattered = 0.08;
 
-/// The sites that are left; all keep their numbers.
+/// Which sites are left. All keep their numbers.
 struct Rest {
   std::vector<char> left;
   std::size_t size;
@@ -45,10 +46,10 @@ std::vector<Index> outliers(const Rest& rest, const SiteGeometry& geometry) {
   return ids;
 }
 
-// The nearest that are left, the site itself first.
+// The nearest sites that are left, the site itself first.
 std::vector<Index> nearest_left(const PointTree& tree, const Vec3& place, const Rest& rest) {
   const std::size_t wanted = std::min(kNeighbours + 1, rest.size);
-  for (std::size_t asked = 2 * wanted;; asked *= 2) {  // ends: at the latest when it is all
+  for (std::size_t asked = 2 * wanted;; asked *= 2) {  // ends: at the latest when it asks for all
     std::vector<Index> near = tree.nearest(place, asked);
     near.erase(std::remove_if(near.begin(), near.end(), [&](Index i) { return !rest.left[i]; }), near.end());
     if (near.size() < wanted) continue;
@@ -57,10 +58,10 @@ std::vector<Index> nearest_left(const PointTree& tree, const Vec3& place, const 
   }
 }
 
-// Takes sites out, and describes those anew that had one of them among their neighbours.
+// Removes sites, and updates the geometry of sites that had one of them among their neighbours.
 void take_out(const std::vector<Index>& out, const std::vector<Vec3>& places, const PointTree& tree,
               Rest& rest, SiteGeometry& geometry) {
-  const bool all_near = rest.size <= kNeighbours + 1;  // each is a neighbour of all
+  const bool all_near = rest.size <= kNeighbours + 1;  // all are neighbours of each other
   std::vector<Vec3> gone;
   for (const Index i : out) rest.left[i] = 0, gone.push_back(places[i]);
   rest.size -= out.size();
@@ -75,7 +76,7 @@ void take_out(const std::vector<Index>& out, const std::vector<Vec3>& places, co
   });
 }
 
-// Takes the places of those that are gone.
+// Renumbers the sites that are left.
 void close_ranks(const Rest& rest, SiteSet& sites, SiteGeometry& geometry) {
   std::vector<Index> number(rest.left.size(), kNone);
   Index kept = 0;
@@ -103,7 +104,7 @@ std::int64_t drop_outliers(SiteSet& sites, const PointsView& points, SiteGeometr
   if (out.empty()) return 0;
   SiteGeometry of_rest = geometry;
   const PointTree tree(sites.perturbed);
-  for (; !out.empty(); out = outliers(rest, of_rest)) {  // ends: every turn leaves fewer
+  for (; !out.empty(); out = outliers(rest, of_rest)) {  // ends: every pass removes sites
     if (3 * (rest.size - out.size()) < 2 * all || rest.size - out.size() < 4) return 0;
     take_out(out, sites.perturbed, tree, rest, of_rest);
   }

@@ -8,12 +8,13 @@
 
 namespace filmsticking {
 
-/// Takes outliers out of the sites, and their geometry to what it is without them; returns how many. A site
-/// is one if it is far from its neighbours, by their own spacing or that of the median site, and these are
-/// not on one plane with it. Without the plainest the next are lonelier, so it looks again as long as it
-/// finds any. `points`: what the sites were made of. Nothing is taken if a third of the sites would go, or
-/// all but some on a plane: that is no cloud of a surface with outliers. Ends: every pass but the last takes
-/// sites away.
+/// Removes outliers from the sites and updates the geometry. Returns how many were removed. `points`: the
+/// points that the sites were made from.
+///
+/// A site is an outlier if it is far from its neighbours and not on one plane with them. Far is measured by
+/// the neighbours' spacing or by the median spacing. Removing outliers makes further ones lonelier, so the
+/// search repeats until it finds none. Removes nothing if more than a third of the sites would go, or if the
+/// rest would lie on a plane: that is no surface with outliers.
 std::int64_t drop_outliers(SiteSet& sites, const PointsView& points, SiteGeometry& geometry);
 
 }  // namespace filmsticking

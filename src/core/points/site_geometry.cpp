@@ -39,7 +39,7 @@ void describe_site(SiteGeometry& geometry, const std::vector<Vec3>& sites, Index
   for (Index j : near) covariance += (sites[j] - mean) * (sites[j] - mean).transpose();
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(covariance / std::max(radius * radius, 1e-300));
-  // Of the others alone: they are n of the n + 1 points around this mean.
+  // The spread of the n other points alone, from the n + 1 points around this mean.
   const double n = static_cast<double>(near.size()) - 1, shift2 = (sites[i] - mean).squaredNorm();
   const double spread2 = covariance.trace() - shift2 * (n + 1) / n;
   geometry.offset[i] = spread2 > 0 ? (n + 1) / n * std::sqrt(shift2 * n / spread2) : 0;

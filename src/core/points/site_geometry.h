@@ -7,30 +7,31 @@
 
 namespace filmsticking {
 
-/// What the neighbourhood of each site tells without a surface.
+/// What each site's nearest sites say about the surface there. All per site.
 struct SiteGeometry {
-  std::vector<double>
-      spacing;  ///< sqrt(pi r^2 / k) with r the distance to the k-th neighbour: what one sample covers
-  std::vector<std::array<Index, 6>> near;  ///< the nearest sites, nearest first; kNone where there are fewer
-  std::vector<Vec3> normal;  ///< unit normal of the plane fitted to the neighbours; its sign says nothing
-  std::vector<double> variation;  ///< of the neighbours off that plane: a share of their variance, 0 to 1/3
-  std::vector<double> offset;     ///< from the neighbours' mean, in their own distance from it (rms)
+  /// Side of the square that one sample covers: sqrt(pi r^2 / k), r the distance to the k-th neighbour.
+  std::vector<double> spacing;
+  std::vector<std::array<Index, 6>> near;  ///< the nearest sites, nearest first, then kNone
+  std::vector<Vec3> normal;       ///< unit normal of the plane fitted to the neighbours, of arbitrary sign
+  std::vector<double> variation;  ///< the neighbours' variance off that plane over all of it, 0 to 1/3
+  std::vector<double> offset;     ///< distance from the neighbours' mean, over their rms distance from it
 };
 
-/// Neighbours of a site, where there are so many.
+/// Neighbours that describe a site, where there are so many.
 constexpr std::size_t kNeighbours = 12;
 
-/// From the nearest sites of each.
+/// Describes every site by its kNeighbours nearest sites.
 SiteGeometry site_geometry(const std::vector<Vec3>& sites);
 
-/// Describes one site by its `near`est, itself first.
+/// Sets one site's entries from the sites `near` it, itself first.
 void describe_site(SiteGeometry& geometry, const std::vector<Vec3>& sites, Index site,
                    const std::vector<Index>& near);
 
-/// How far the farthest neighbour of a site is that has kNeighbours.
+/// Distance to the farthest neighbour of a site that has kNeighbours.
 double neighbour_radius(const SiteGeometry& geometry, Index site);
 
-/// The median of the spacings of a site's neighbours: unlike its own, small for a lone site near a surface.
+/// Median spacing of the six nearest sites. Unlike the site's own, it is small for a lone site near a
+/// surface.
 double near_spacing(const SiteGeometry& geometry, Index site);
 
 }  // namespace filmsticking

@@ -15,7 +15,7 @@
 namespace filmsticking {
 namespace {
 
-// Flatter than this share of the box is flat: what a turned plane has left after rounding to float.
+// In units of the box. A rotated plane is as thick as this after rounding to float.
 constexpr double kFlat = 3e-7;
 
 std::uint64_t mix(std::uint64_t x) {
@@ -39,7 +39,7 @@ std::uint64_t hash(const Vec3& p) {
   return h;
 }
 
-// 21 bits spread to every third place.
+// Spreads 21 bits to every third bit.
 std::uint64_t spread(std::uint64_t x) {
   x &= 0x1fffff;
   x = (x | x << 32) & 0x1f00000000ffffULL;
@@ -58,7 +58,7 @@ std::uint64_t morton(const Vec3& p) {
   return code;
 }
 
-// The 24 turns of a cube onto itself.
+// The 24 rotations of a cube onto itself.
 std::vector<AxisTurn> axis_turns() {
   std::vector<AxisTurn> turns;
   std::array<int, 3> axis{0, 1, 2};
@@ -72,10 +72,10 @@ std::vector<AxisTurn> axis_turns() {
   return turns;
 }
 
-// The turn after which the sums of hashes of the coordinates come first, of each axis and, where these are
-// the same for several, of the points: sums do not depend on an order, and these are of whole numbers.
+// The turn with the least key. The key is the sums of the coordinates' hashes, per axis; among equal keys the
+// sum of the points' hashes decides. Sums of integers do not depend on the order of the points.
 AxisTurn canonical_turn(const std::vector<Vec3>& points) {
-  std::array<std::array<std::uint64_t, 2>, 3> sum{};  // of each axis, as it is and mirrored
+  std::array<std::array<std::uint64_t, 2>, 3> sum{};  // per axis, as given and mirrored
   for (const Vec3& p : points)
     for (int k = 0; k < 3; ++k) {
       sum[k][0] += mix(bits_of(p[k]));
@@ -93,7 +93,7 @@ AxisTurn canonical_turn(const std::vector<Vec3>& points) {
   std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
   for (const AxisTurn& turn : turns) {
     if (by_axes(turn) != by_axes(turns[0])) break;
-    if (by_axes(turns[1]) != by_axes(turns[0])) break;  // there is only one
+    if (by_axes(turns[1]) != by_axes(turns[0])) break;  // one turn alone has the least key
     std::uint64_t key = 0;
     for (const Vec3& p : points) key += mix(hash(turn(p)));
     if (key < least) least = key, best = turn;

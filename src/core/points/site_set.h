@@ -10,7 +10,7 @@
 
 namespace filmsticking {
 
-/// A turn of the axes onto each other: no number changes but its sign.
+/// A rotation that maps axes to axes: coordinates change their place and sign only.
 struct AxisTurn {
   std::array<int, 3> axis{0, 1, 2};
   std::array<double, 3> sign{1, 1, 1};
@@ -25,23 +25,24 @@ struct AxisTurn {
   }
 };
 
-/// The distinct finite points, in a box of longest side 1 around the origin and along a space-filling curve.
+/// The distinct finite points, scaled to a box of longest side 1 around the origin, in the order of a
+/// space-filling curve.
 struct SiteSet {
-  /// Recentred, scaled and turned, and moved by at most kPerturbation: no four on a circle.
+  /// Recentred, scaled, turned and moved by at most kPerturbation, so that no four lie on a circle.
   std::vector<Vec3> perturbed;
-  std::vector<std::int32_t> input;  ///< site i is input point input[i]: of equal points the first
+  std::vector<std::int32_t> input;  ///< site i is point input[i], the first of equal points
   std::int64_t non_finite = 0;
   std::int64_t duplicates = 0;
-  Vec3 centre = Vec3::Zero();  ///< of the input's box, in the caller's unit
+  Vec3 centre = Vec3::Zero();  ///< centre of the input's box, in the caller's unit
   double side = 1;             ///< longest side of the input's box, in the caller's unit; > 0
 
-  AxisTurn turn;  ///< of the input's axes, by the coordinates alone: a cloud turned by 90 degrees is the same
+  AxisTurn turn;  ///< chosen so that a cloud turned by 90 degrees gives the same sites
 
   std::size_t size() const { return perturbed.size(); }
-  /// Do all sites lie on one plane, line or point, but for rounding to float? `points`: what they were made
-  /// of.
+  /// Whether all sites lie on one plane, line or point, up to rounding to float. `points`: the points that
+  /// the set was made from.
   bool coplanar(const PointsView& points) const;
-  /// Where a site is that is not perturbed, of the points that it was made of.
+  /// The site's place before perturbation.
   Vec3 exact(const PointsView& points, std::size_t site) const {
     return to_unit(points[static_cast<std::size_t>(input[site])]);
   }
@@ -53,14 +54,13 @@ struct SiteSet {
   }
 };
 
-/// Half the width of the cube that a perturbed site stays in, in units of the box. Grids, voxel filters and
-/// CAD vertices make cospherical sites the rule; a float has 6e-8 of the box left to say, so this changes
-/// nothing that was measured.
+/// The most that a site is moved along each axis, in units of the box. Grids, voxel filters and CAD vertices
+/// make cospherical sites the rule. A float resolves 6e-8 of the box, so this changes no measured digit.
 constexpr double kPerturbation = 2e-8;
 
-/// Never fails; fewer sites than points, perhaps none. The order and the perturbation depend on the
-/// coordinates alone, so that the order of the input does not matter; nor do a turn by 90 degrees (unless it
-/// takes the cloud to itself), a scale by a power of two, and a move that rounds nothing.
+/// Never fails; may give fewer sites than points, or none. The order and the perturbation depend on the
+/// coordinates alone. So the result does not depend on the order of the points, a rotation by 90 degrees
+/// (unless it maps the cloud to itself), a scale by a power of two, or a shift that rounds nothing.
 SiteSet make_site_set(const PointsView& points);
 
 }  // namespace filmsticking

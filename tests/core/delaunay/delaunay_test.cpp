@@ -16,7 +16,7 @@
 namespace filmsticking {
 namespace {
 
-// By a library that has done it for decades.
+// CGAL's triangulation.
 Tetrahedra reference(const std::vector<Vec3>& sites) {
   return in_canonical_order(DelaunayTriangulation(sites).tetrahedra(), sites.size());
 }
@@ -32,7 +32,7 @@ struct Cloud {
   std::vector<Vec3> points;
 };
 
-// `n`: about how many points each.
+// `n`: points per cloud, about.
 std::vector<Cloud> nasty_clouds(int n, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> in(-1, 1);
@@ -79,7 +79,7 @@ TEST(Delaunay, TetrahedraAreThoseOfCgal) {
         SCOPED_TRACE(cloud.name + ", " + std::to_string(n) + " points, seed " + std::to_string(seed));
         ++all;
         Tetrahedra tets;
-        if (!incremental_delaunay(sites, tets)) continue;  // a tie: told of below
+        if (!incremental_delaunay(sites, tets)) continue;  // a tie: tested below
         ++own;
         expect_same(in_canonical_order(std::move(tets), sites.size()), reference(sites));
       }
@@ -104,7 +104,7 @@ TEST(Delaunay, SeveralThreadsMakeTheSameTetrahedra) {
   }
 }
 
-// Places run out again and again; what lies behind the last is no tetrahedron.
+// Slots run out again and again. A slot past the last must not be read as a tetrahedron.
 TEST(Delaunay, ManyMoreTetrahedraThanASurfaceHas) {
   std::vector<Vec3> points;  // two curves: every segment of one is in a tetrahedron with many of the other
   for (int i = 0; i < 700; ++i) {
@@ -134,7 +134,7 @@ TEST(Delaunay, MoreTetrahedraThanAllowedAreNotMade) {
   }
 }
 
-// Where the tetrahedra are not the only ones, none are better than some that depend on an order.
+// If the triangulation is not unique, returning one would depend on the order of the sites.
 TEST(Delaunay, TiesAreNoticed) {
   std::vector<Vec3> cube, flat, twice;
   for (int i = 0; i < 8; ++i) cube.emplace_back(i & 1, i >> 1 & 1, i >> 2);

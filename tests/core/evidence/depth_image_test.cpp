@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Depth images: that they are known, and what is promised of their surfaces.
+// Depth images: which points are one, and the guarantees of its surface.
 #include "evidence/depth_image.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ using test::Depth, test::image_of, test::hills, test::ball_and_wall, test::in_st
     test::noisy, test::thinned;
 using test::in_unit_box, test::random_pose;
 
-/// Placed and shuffled, as floats.
+/// Moved by the pose, shuffled and rounded to float.
 std::vector<Point> cloud_of(const std::vector<Vec3>& pixels, const Eigen::Isometry3d& pose,
                             test::Random& random) {
   std::vector<Point> points;
@@ -49,7 +49,7 @@ Mesh mesh_of(const Result& result, const std::vector<Point>& points) {
   return mesh;
 }
 
-/// The share of the faces that show their backs.
+/// The share of the faces that show their backs to the viewpoint.
 double backs(const Mesh& mesh, const Vec3& viewpoint) {
   const auto at = [&](int v) {
     return Vec3(mesh.positions[v][0], mesh.positions[v][1], mesh.positions[v][2]);
@@ -62,7 +62,7 @@ double backs(const Mesh& mesh, const Vec3& viewpoint) {
   return against / static_cast<double>(mesh.triangles.size());
 }
 
-/// An image of the hills whose pixels are beside their places, so that rows are none.
+/// An image with jittered pixels, which form no rows.
 std::vector<Vec3> image_without_rows(const Depth& depth, test::Random& random) {
   std::vector<Vec3> pixels;
   for (int v = 0; v < 40; ++v)
@@ -74,7 +74,7 @@ std::vector<Vec3> image_without_rows(const Depth& depth, test::Random& random) {
   return pixels;
 }
 
-// From some places all is seen once as well: nearer to the ball, say.
+// From a few other places everything is visible once as well, for example nearer to the ball.
 TEST(DepthImage, IsNoneFromElsewhere) {
   int images = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
@@ -93,8 +93,8 @@ TEST(DepthImage, IsNoneFromElsewhere) {
   EXPECT_LE(images, 8);
 }
 
-/// Regular samples, which a viewpoint sees apart from each other, on both sides of the shape: plates of some
-/// thicknesses, in spacings, a cube, a ball, a ring and a tube.
+/// Regular samples of closed shapes, which look evenly spaced from a viewpoint: plates of several thicknesses
+/// (in spacings), a cube, a ball, a ring and a tube.
 std::vector<std::vector<Vec3>> regular_shapes() {
   std::vector<std::vector<Vec3>> shapes;
   shapes.reserve(9);  // references to them stay
@@ -144,7 +144,7 @@ TEST(DepthImage, RegularSamplesOfAClosedShapeAreNone) {
   }
 }
 
-// What the surface of an image is promised to be, whatever the depths.
+// The guarantees of an image's surface, whatever the depths.
 TEST(DepthImage, ShowsItsFrontWholly) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     test::Random random(seed);
@@ -186,7 +186,7 @@ TEST(DepthImage, IsTheVisibleSurface) {
     }
 }
 
-// Where depths are measured in steps of several pixels, a wall is bands; they faced either way.
+// With depth steps several pixels wide a wall is a set of bands, which faced both ways.
 TEST(Reconstruct, Regression_AWallInStepsIsOneSurface) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE(seed);
@@ -206,7 +206,7 @@ TEST(Reconstruct, Regression_AWallInStepsIsOneSurface) {
   }
 }
 
-// It wound through the image, with hundreds of handles, and took ten times as long.
+// The result zigzagged through the image with hundreds of handles, and took ten times as long.
 TEST(Reconstruct, Regression_ADepthImageThatIsClosedFacesOneWay) {
   std::vector<std::pair<const char*, Depth>> scenes(std::begin(kScenes), std::end(kScenes));
   scenes.emplace_back("bowl in steps",
@@ -232,7 +232,7 @@ TEST(Reconstruct, Regression_ADepthImageThatIsClosedFacesOneWay) {
     }
 }
 
-// Its middle sees all of a ball once.
+// From a ball's centre all of the ball is visible once.
 TEST(DepthImage, AClosedShapeAroundTheGuessIsNone) {
   std::vector<Point> ball;  // evenly, as by a golden spiral
   for (int i = 0; i < 3000; ++i) {
@@ -245,7 +245,7 @@ TEST(DepthImage, AClosedShapeAroundTheGuessIsNone) {
   EXPECT_GT(test::signed_volume(mesh_of(result, ball)), 0);
 }
 
-// Where pixels are beside their places, rows are none: only the guess says what the image is seen from.
+// Jittered pixels form no rows: only the guess gives the viewpoint.
 TEST(DepthImage, AGuessTellsTheFrontOfASheet) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     test::Random random(seed);
@@ -261,7 +261,7 @@ TEST(DepthImage, AGuessTellsTheFrontOfASheet) {
   }
 }
 
-// Thinned, or with noise across the lines of sight, images had tens of handles, and backs among their fronts.
+// Thinned images, and images with noise across the lines of sight, had tens of handles and mixed orientation.
 TEST(Reconstruct, Regression_AThinnedOrNoisyImageIsOneViewFromWhereItWasTaken) {
   for (const auto& [name, depth] : kScenes)
     for (const bool thin : {false, true}) {
@@ -289,7 +289,7 @@ TEST(Reconstruct, Regression_AThinnedOrNoisyImageIsOneViewFromWhereItWasTaken) {
     }
 }
 
-// As of bun0.pcd, whose frame's origin is by its feet: from behind, all of a scan is seen once as well.
+// As for bun0.pcd, whose origin is at its feet: from behind, all of a scan is visible once as well.
 TEST(Reconstruct, AScanWithTheGuessJustBehindShowsItsConvexSide) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     std::vector<Point> half;
@@ -303,7 +303,7 @@ TEST(Reconstruct, AScanWithTheGuessJustBehindShowsItsConvexSide) {
   }
 }
 
-// A plate looks much like noise from where it is said to be seen from.
+// Seen from the guess, a plate resembles a noisy image.
 TEST(Reconstruct, AThinPlateIsNoViewWhateverTheGuess) {
   for (const double thickness : {0.5, 1.0, 2.0})
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
@@ -334,14 +334,14 @@ TEST(DepthImage, AGuessThatIsNoNumberIsNoMatter) {
   }
 }
 
-// From there all points are in one direction, and each search for the nearest looked at all of them.
+// From there all points are in one direction, and each nearest-neighbour search visited all of them.
 TEST(DepthImage, Regression_AGuessFarAwayIsNoHang) {
   const auto ball = test::sphere(30000, 1);
   EXPECT_EQ(reconstruct_open(ball, Point{1e20, 0.7e20, 0.3e20}).triangles, reconstruct_open(ball).triangles);
 }
 
-// Depths of all sizes, by chance, in rows and columns of their own, along one line of sight, and images of
-// one row.
+// Random depths of all magnitudes, equal depths per row or column, all points on one line of sight, and
+// images of one row.
 TEST(DepthImage, AnyDepthsKeepThePromise) {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE(seed);

@@ -11,8 +11,8 @@
 namespace filmsticking {
 namespace {
 
-// A wavy sheet with noise, in spacings, is one layer, and what has two in places is not.
-TEST(Layers, AreToldFromNoise) {
+// A wavy sheet with noise (in spacings) is one layer; a sheet that is doubled in a part of its area is not.
+TEST(Layers, AreNotConfusedWithNoise) {
   constexpr int kPoints = 4000;
   const double spacing = 2 / std::sqrt(kPoints);
   const auto share = [&](double noise, double apart, double of_area, std::uint64_t seed) {

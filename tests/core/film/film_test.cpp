@@ -42,7 +42,7 @@ TEST(Film, ReachesEverySiteOfASphereAndIsStable) {
   EXPECT_EQ(connectivity_hash(film_step(film, diagram, RingChoice::Smooth, counts)), connectivity_hash(film));
 }
 
-// A sphere in a sphere, joined by nothing: plain steps stall on the outer one.
+// A sphere in a sphere, unconnected: plain steps stall on the outer one.
 TEST(Film, WeightsAttractWhatAStalledFilmLeaves) {
   auto points = test::sphere(1500, 6);
   for (const Point& p : test::sphere(300, 7, {0, 0, 0}, 0.6)) points.push_back(p);

@@ -13,8 +13,8 @@
 namespace filmsticking {
 namespace {
 
-// Triangles with random corners from a few sites, glued at random wherever the ends of two half-edges agree:
-// the worst that could be handed to the repair.
+// Triangles with random corners from a few sites, glued at random wherever two half-edges agree: the worst
+// input that a repair can get.
 HalfEdgeComplex random_complex(std::uint64_t seed) {
   test::Random random(seed);
   const int sites = 3 + random.below(12), pairs = 1 + random.below(60);

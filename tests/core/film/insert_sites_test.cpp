@@ -17,7 +17,7 @@ namespace {
 TEST(InsertSites, KeepsAManifoldAndReportsWhatWentIn) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const SiteSet set = make_site_set(test::torus(1500, seed));
-    // A film of four sites in five; the fifth waits.
+    // A film of four sites in five, the others off it.
     std::vector<Vec3> some;
     std::vector<Index> off, id;
     for (std::size_t s = 0; s < set.size(); ++s) {

@@ -13,8 +13,8 @@
 namespace filmsticking {
 namespace {
 
-// The owners that are met on a fine walk along an edge are its cells, in their order. Returns the most cells
-// of an edge.
+// The owners of finely spaced places along an edge are the edge's cells, in order. Returns the most cells of
+// an edge.
 std::size_t expect_owners_met(const Surface& surface, const RestrictedPowerDiagram& restricted,
                               const PowerDiagram& diagram) {
   const std::vector<char> all(diagram.position.size(), 1);
@@ -33,7 +33,7 @@ std::size_t expect_owners_met(const Surface& surface, const RestrictedPowerDiagr
     std::size_t k = 0;
     for (Index c : cells) k += k < met.size() && met[k] == c;
     EXPECT_EQ(k, met.size()) << "edge " << e;
-    // No cell twice, and each borders on the next where the edge goes from one to the other.
+    // No cell occurs twice, and consecutive cells are neighbours.
     EXPECT_EQ(std::set<Index>(cells.begin(), cells.end()).size(), cells.size()) << "edge " << e;
     for (std::size_t i = 0; i + 1 < cells.size(); ++i)
       EXPECT_TRUE(std::binary_search(diagram.neighbour.begin() + diagram.offset[cells[i]],
@@ -61,7 +61,7 @@ TEST(RestrictedPowerDiagram, EdgesRunThroughTheCellsThatOwnThem) {
   }
 }
 
-// On a moment curve: a walk took the square of the sites.
+// On a moment curve all sites are neighbours: a walk took time quadratic in the sites.
 TEST(RestrictedPowerDiagram, Regression_OfSitesThatAreAllNeighboursAWalkIsNotQuadratic) {
   std::vector<Vec3> sites;
   for (int i = 0; i < 300; ++i) {

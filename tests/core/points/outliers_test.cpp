@@ -67,7 +67,7 @@ TEST(Outliers, AreNotFoundWhereAllPointsAreScattered) {
 }
 
 TEST(Outliers, NoneIsDroppedWhereTheyWouldBeTooMany) {
-  // Scattered so unevenly that over a third of them would be outliers.
+  // So uneven that over a third of the sites would be outliers.
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     std::mt19937_64 random(seed);
     std::lognormal_distribution<double> radius(0, 3);
