@@ -14,7 +14,7 @@ namespace filmsticking {
 namespace {
 
 // Pixels that are looked at, about, and their nearest ones, which hold the eight around a pixel.
-constexpr std::size_t kLookedAt = 10000, kAround = 8;
+constexpr std::size_t kPixelsLookedAt = 10000, kPixelsAround = 8;
 // Two of these are opposite each other if the middle between them is within such a share of the shorter
 // distance: within the second where those within the first do not tell.
 constexpr double kOpposite[] = {0.125, 0.25};
@@ -37,11 +37,11 @@ struct RowPlane {
 // Bends in the surface are of other threes: those of a row are seen in it as lines.
 std::vector<RowPlane> row_planes(const std::vector<Vec3>& places, const PointTree& tree,
                                  const SiteGeometry& geometry, double opposite) {
-  const EveryNth looked(places.size(), kLookedAt);
+  const EveryNth looked(places.size(), kPixelsLookedAt);
   std::vector<std::vector<RowPlane>> found(looked.size());
   parallel_each(looked.size(), [&](std::size_t i) {
     const Vec3& middle = places[looked[i]];
-    const std::vector<Index> near = tree.nearest(middle, kAround + 1);
+    const std::vector<Index> near = tree.nearest(middle, kPixelsAround + 1);
     for (std::size_t j = 1; j < near.size(); ++j)
       for (std::size_t k = j + 1; k < near.size(); ++k) {
         const Vec3 a = places[near[j]] - middle, b = places[near[k]] - middle, normal = a.cross(b);
