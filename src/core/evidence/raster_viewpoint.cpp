@@ -14,7 +14,7 @@ namespace filmsticking {
 namespace {
 
 // Size of the sample, and nearest pixels of each: the eight around it.
-constexpr std::size_t kLookedAt = 10000, kAround = 8;
+constexpr std::size_t kPixelsLookedAt = 10000, kPixelsAround = 8;
 // Two of the eight are opposite if their midpoint is within this share of the shorter distance. The second
 // share is tried if the first finds nothing.
 constexpr double kOpposite[] = {0.125, 0.25};
@@ -37,11 +37,11 @@ struct RowPlane {
 // A plane that contains the surface's normal weighs most: it cuts the surface along the row.
 std::vector<RowPlane> row_planes(const std::vector<Vec3>& places, const PointTree& tree,
                                  const SiteGeometry& geometry, double opposite) {
-  const EveryNth looked(places.size(), kLookedAt);
+  const EveryNth looked(places.size(), kPixelsLookedAt);
   std::vector<std::vector<RowPlane>> found(looked.size());
   parallel_each(looked.size(), [&](std::size_t i) {
     const Vec3& middle = places[looked[i]];
-    const std::vector<Index> near = tree.nearest(middle, kAround + 1);
+    const std::vector<Index> near = tree.nearest(middle, kPixelsAround + 1);
     for (std::size_t j = 1; j < near.size(); ++j)
       for (std::size_t k = j + 1; k < near.size(); ++k) {
         const Vec3 a = places[near[j]] - middle, b = places[near[k]] - middle, normal = a.cross(b);
