@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "byte_writer.h"
+#include "bytes.h"
 
 namespace filmsticking::io {
 
