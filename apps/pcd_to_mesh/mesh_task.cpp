@@ -111,15 +111,13 @@ pcl::PCLPointCloud2 reconstruct(io::Cloud cloud, const CommandLine& command, con
 void run(const Task& task, const CommandLine& command, const Progress& progress, TaskResult& outcome) {
   io::Cloud cloud = read_and_filter(task, command, outcome);
   StepDump dump(command.dump_steps);
-  const pcl::PCLPointCloud2 vertices =
-      reconstruct(std::move(cloud), command, progress, dump, outcome.result);
+  const pcl::PCLPointCloud2 vertices = reconstruct(std::move(cloud), command, progress, dump, outcome.result);
   outcome.reached = true;
   if (!dump.error().empty()) throw io::IoError(dump.error());
   outcome.interrupted = outcome.result.status == Status::Cancelled;
   if (outcome.result.status != Status::Ok)
     throw io::IoError(outcome.facts.input + ": " + outcome.result.message);
-  with_file(outcome.facts.output,
-            [&] { write_output(task, command, vertices, outcome.result.triangles); });
+  with_file(outcome.facts.output, [&] { write_output(task, command, vertices, outcome.result.triangles); });
 }
 
 }  // namespace

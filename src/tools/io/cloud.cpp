@@ -23,8 +23,8 @@ void check_bytes(const pcl::PCLPointCloud2& cloud) {
       throw IoError("the cloud's field " + field.name + " is not within a point");
   const std::uint64_t row = std::uint64_t{cloud.width} * cloud.point_step;
   const std::uint64_t step = cloud.height > 1 ? cloud.row_step : row;  // one row may leave its step out
-  const bool whole = row == 0 || cloud.height == 0 ||
-                     (step >= row && step * (cloud.height - 1) + row <= cloud.data.size());
+  const bool whole =
+      row == 0 || cloud.height == 0 || (step >= row && step * (cloud.height - 1) + row <= cloud.data.size());
   if (!whole) throw IoError("the cloud has fewer bytes than its header says");
 }
 
@@ -146,8 +146,7 @@ pcl::PCLPointCloud2 make_cloud(const std::vector<Point>& positions, const std::v
   for (std::size_t axis = 0; axis < 3; ++axis)
     fields.push_back(make_field(kAxes[axis], axis * size, single ? Type::FLOAT32 : Type::FLOAT64));
   if (!colours.empty()) fields.push_back(make_field("rgb", rgb, Type::FLOAT32));
-  pcl::PCLPointCloud2 cloud =
-      make_rows(std::move(fields), rgb + (colours.empty() ? 0 : 4), positions.size());
+  pcl::PCLPointCloud2 cloud = make_rows(std::move(fields), rgb + (colours.empty() ? 0 : 4), positions.size());
   const PositionFields places(cloud);
   std::uint8_t* to = cloud.data.data();
   for (std::size_t i = 0; i < positions.size(); ++i, to += cloud.point_step) {

@@ -71,12 +71,9 @@ Json floats(const Point& p, const Point& origin) {
 struct Arrays {
   /// `accessor` has what is particular to it.
   void add(Json accessor, int component, const char* type, std::size_t count, std::size_t size, int target) {
-    views.push_back(
-        {{"buffer", 0}, {"byteOffset", bytes}, {"byteLength", count * size}, {"target", target}});
-    accessor.update({{"bufferView", accessors.size()},
-                     {"componentType", component},
-                     {"type", type},
-                     {"count", count}});
+    views.push_back({{"buffer", 0}, {"byteOffset", bytes}, {"byteLength", count * size}, {"target", target}});
+    accessor.update(
+        {{"bufferView", accessors.size()}, {"componentType", component}, {"type", type}, {"count", count}});
     accessors.push_back(std::move(accessor));
     bytes += count * size;
   }

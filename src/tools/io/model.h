@@ -21,7 +21,9 @@ struct Model {
   Model(std::vector<Point> p, std::vector<Colour> c, std::vector<Triangle> t)
       : positions(std::move(p)), colours(std::move(c)), triangles(std::move(t)) {}
   Model(const Cloud& cloud)
-      : positions(positions_of(cloud.points)), colours(colours_of(cloud.points)), viewpoint(cloud.viewpoint) {}
+      : positions(positions_of(cloud.points)),
+        colours(colours_of(cloud.points)),
+        viewpoint(cloud.viewpoint) {}
   Model(const pcl::PolygonMesh& mesh)
       : positions(positions_of(mesh.cloud)),
         colours(colours_of(mesh.cloud)),

@@ -28,6 +28,7 @@ struct Field {
 struct Header {
   std::vector<Field> fields;
   long long width = -1, height = 1, points = -1;
+  bool consistent = true;  // is WIDTH times HEIGHT what POINTS says?
   Data data = Data::Ascii;
   std::optional<Point> viewpoint;
 };
@@ -96,12 +97,11 @@ Header parse_header(TextScanner& file) {
     keyword = line.word();
     parse_line(keyword, line, header);
   }
-  const bool product =
-      header.width >= 0 && (header.height == 0 || header.width <= kMost / header.height);
+  const bool product = header.width >= 0 && (header.height == 0 || header.width <= kMost / header.height);
   if (header.points < 0 && !product) throw IoError("its PCD header has no POINTS");
   if (header.points < 0) header.points = header.width * header.height;
-  if (!product || header.points != header.width * header.height)
-    header.width = header.points, header.height = 1;
+  header.consistent = product && header.points == header.width * header.height;
+  if (!header.consistent) header.width = header.points, header.height = 1;
   return header;
 }
 
@@ -190,7 +190,7 @@ void check_lines(TextScanner& file, std::size_t fields) {
     std::size_t words;
     bool optional;
   };
-  const Rule rules[] = {{"VERSION", 1, false},  {"FIELDS", fields, false}, {"SIZE", fields, false},
+  const Rule rules[] = {{"VERSION", 1, false},   {"FIELDS", fields, false}, {"SIZE", fields, false},
                         {"TYPE", fields, false}, {"COUNT", fields, true},   {"WIDTH", 1, false},
                         {"HEIGHT", 1, false},    {"VIEWPOINT", 7, true},    {"POINTS", 1, false},
                         {"DATA", 1, false}};
@@ -276,7 +276,7 @@ void check_pcd(std::string_view bytes) {
     if (field.count == 0 || field.count > kMostCount) refuse("a COUNT is out of range");
     numbers += static_cast<std::size_t>(field.count);
   }
-  if (header.points == 0 || header.points > kMostPoints || header.width * header.height != header.points)
+  if (header.points == 0 || header.points > kMostPoints || !header.consistent)
     refuse("WIDTH times HEIGHT is not POINTS");
   make_cloud(header, body);
   check_header_ends(body);

@@ -335,7 +335,8 @@ void encode_vtk(const pcl::PCLPointCloud2& vertices, const std::vector<Triangle>
   writer->SetFileVersion(vtkPolyDataWriter::VTK_LEGACY_READER_VERSION_4_2);
   writer->WriteToOutputStringOn();
   if (!writer->Write()) throw IoError("VTK cannot write it");
-  const std::string_view bytes(writer->GetOutputString(), static_cast<std::size_t>(writer->GetOutputStringLength()));
+  const std::string_view bytes(writer->GetOutputString(),
+                               static_cast<std::size_t>(writer->GetOutputStringLength()));
   out.append(bytes);
 }
 

@@ -174,9 +174,9 @@ bool pcl::FilmstickingPP<PointInT>::computeTriangles(std::vector<filmsticking::T
   execution.progress = progress_callback_;
   execution.on_step = step_callback_;
   execution.cancel = cancel_flag_ ? cancel_flag_ : &cancel_.raised;
-  filmsticking::Result result = !blob_                          ? computeResult(execution)
+  filmsticking::Result result = !blob_                       ? computeResult(execution)
                                 : detail::hasDoubles(*blob_) ? computeResultOfBlob<double>(execution)
-                                                                : computeResultOfBlob<float>(execution);
+                                                             : computeResultOfBlob<float>(execution);
   report_ = std::move(result.report);
   if (result.status != Status::Ok) {
     fail(result.status, result.message.empty() ? filmsticking::describe(result.status) : result.message);
@@ -239,8 +239,8 @@ filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResultOfBlob(
   positions.reserve(indices_->size());
   for (const pcl::index_t index : *indices_) {
     const std::uint8_t* point = &blob.data[detail::placeOf(blob, index)];
-    positions.push_back({detail::realAt<Real>(point + x), detail::realAt<Real>(point + y),
-                         detail::realAt<Real>(point + z)});
+    positions.push_back(
+        {detail::realAt<Real>(point + x), detail::realAt<Real>(point + y), detail::realAt<Real>(point + z)});
   }
   return filmsticking::reconstruct(positions, options, execution);
 }
