@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers in the bytes of files, and the way of these bytes to a file.
+// Numbers as bytes of files, and the output of these bytes.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 #include <utility>
 
 #if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-#error "this file takes the machine for a little-endian one"
+#error "this file assumes a little-endian machine"
 #endif
 
 namespace filmsticking::io {

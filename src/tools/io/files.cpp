@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace filmsticking::io {
 namespace {
 
-/// Where the bytes go: a link's target is replaced, not the link.
+/// The target of a link, which is replaced in place of the link.
 fs::path target_of(const std::string& path) {
   std::error_code error;
   const fs::path target = fs::weakly_canonical(path, error);
@@ -35,8 +35,8 @@ const char* const kOpenFiles = "/proc/self/fd/";
 
 [[noreturn]] void throw_last_error() { throw std::system_error(errno, std::generic_category()); }
 
-/// A file to be that gets its name when it is whole, and of which nothing is left otherwise; where the file
-/// system knows files without names, also if the process is killed.
+/// A file that gets its name once it is whole, and vanishes otherwise; on file systems with nameless files,
+/// also if the process is killed.
 class NewFile {
  public:
   /// Opens a file in the folder of `target`. Throws std::system_error.
@@ -48,8 +48,7 @@ class NewFile {
   /// Throws std::system_error.
   void append(std::string_view bytes);
 
-  /// Puts the file in the place of `target`, whatever was there; nothing is appended after it. Throws
-  /// std::system_error.
+  /// Puts the file in the place of `target`; nothing is appended after that. Throws std::system_error.
   void commit();
 
  private:
@@ -64,7 +63,7 @@ NewFile::NewFile(const fs::path& target)
     : target_(target),
       temporary_(folder_of(target) /
                  ("." + target.filename().string() + "." + std::to_string(getpid()) + ".tmp")) {
-  // A file without a name gets one by its place among the open files.
+  // A nameless file gets its name by its place among the open files.
   if (access(kOpenFiles, X_OK) == 0)
     file_ = open(folder_of(target).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
   if (file_ >= 0) return;

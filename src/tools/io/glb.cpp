@@ -69,7 +69,7 @@ Json floats(const Point& p, const Point& origin) {
 
 /// The arrays of the binary chunk, one behind the other, in the order of append_arrays().
 struct Arrays {
-  /// `accessor` has what is particular to it.
+  /// `accessor`: the members that only this array has.
   void add(Json accessor, int component, const char* type, std::size_t count, std::size_t size, int target) {
     views.push_back({{"buffer", 0}, {"byteOffset", bytes}, {"byteLength", count * size}, {"target", target}});
     accessor.update(

@@ -116,7 +116,7 @@ Scalar scalar_of(const Field& field) {
   throw IoError("its field '" + field.name + "' has an unknown type");
 }
 
-/// What is left of compressed data that are as long as they say; PCL would complain on stderr.
+/// Refuses compressed data that do not have `size` bytes; PCL's reader would write about them on stderr.
 void check_compressed(std::string_view body, std::size_t size) {
   if (body.size() < 8) throw_short();
   const std::size_t compressed = load<std::uint32_t>(body.data());

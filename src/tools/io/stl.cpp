@@ -18,7 +18,7 @@ namespace {
 
 using Vertex = CGAL::Simple_cartesian<double>::Point_3;
 
-/// What is written to it goes to a ByteWriter.
+/// Passes its output on to a ByteWriter.
 class WriterBuffer : public std::streambuf {
  public:
   explicit WriterBuffer(ByteWriter& out) : out_(out) {}

@@ -113,7 +113,7 @@ class Body {
     if (!binary_) return text_value(type);
     const std::size_t size = size_of(type);
     char raw[8];
-    std::memcpy(raw, rest_.data(), size);  // it is there: array() has looked
+    std::memcpy(raw, rest_.data(), size);  // array() has checked the size
     rest_.remove_prefix(size);
     std::reverse(raw, raw + size);  // binary files are big-endian
     return load(raw, type);
