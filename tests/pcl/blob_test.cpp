@@ -252,6 +252,7 @@ TEST(Blob, AFlagOfTheCallersStopsItAndEveryStepIsShown) {
   ::testing::internal::GetCapturedStderr();
   EXPECT_EQ(filmsticking.getStatus(), Status::Cancelled);
   filmsticking.setCancelFlag(nullptr);
+  steps = 0;
   filmsticking.reconstruct(mesh);
   EXPECT_EQ(filmsticking.getStatus(), Status::Ok);
 }
