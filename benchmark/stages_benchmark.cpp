@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The time of the core's rooms, each alone and on what the rooms before it make of points on a torus. "Time"
-// is the wall's, "CPU" that of all threads together.
+// The time of each stage of the core alone, on the results of the stages before it for points on a torus.
+// "Time" is wall time, "CPU" the time of all threads together.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@
 namespace filmsticking {
 namespace {
 
-/// What every room of the default pipeline hands to the next, up to the film.
+/// The results of every stage of the default pipeline, up to the film.
 class House {
  public:
   explicit House(int points)
@@ -59,8 +59,8 @@ class House {
     return surface_of_sites(tetrahedral_boundary(mesh, labels), sites);
   }
 
-  /// What sculpting asks for: facets cost what the evidence says, and tetrahedra hold to their belief by a
-  /// tenth of their facets' area.
+  /// The graph of sculpting: facets cost as the evidence says, and the belief of a tetrahedron weighs a tenth
+  /// of its facets' area.
   std::vector<char> cut() const {
     CutGraph graph{mesh.mirror, {}, {}};
     graph.capacity.resize(mesh.size());

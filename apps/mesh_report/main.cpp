@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// mesh_report: what there is to say about a mesh.
+// mesh_report: measurements of a mesh.
 #include <cstdio>
 
 #include "command_line.h"
 #include "common/program.h"
-#include "io/model_file.h"
+#include "io/formats.h"
 #include "io/with_file.h"
 #include "report/report.h"
 
@@ -15,12 +15,13 @@ using io::with_file;
 namespace {
 
 void run(const CommandLine& command) {
-  // All files before the work: a broken one is known at once.
+  // All files are read before the work, so that a broken one fails at once.
   const mesh_report::Surface mesh =
       mesh_report::make_surface(with_file(command.mesh, [&] { return io::read_model(command.mesh); }));
   std::vector<Point> points;
   if (!command.points.empty())
-    points = with_file(command.points, [&] { return io::read_cloud(command.points); }).positions;
+    points =
+        io::positions_of(with_file(command.points, [&] { return io::read_cloud(command.points); }).points);
   mesh_report::Surface truth;
   if (!command.truth.empty())
     truth = mesh_report::make_surface(with_file(command.truth, [&] { return io::read_mesh(command.truth); }));

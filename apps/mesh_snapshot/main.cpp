@@ -8,8 +8,8 @@
 #include "command_line.h"
 #include "common/program.h"
 #include "io/files.h"
+#include "io/formats.h"
 #include "io/io_error.h"
-#include "io/model_file.h"
 #include "io/with_file.h"
 #include "scene/deviation.h"
 #include "scene/image.h"
@@ -23,10 +23,10 @@ using io::with_file;
 
 namespace {
 
-/// Of all pictures of a GIF together; they are in memory at one time.
+/// Of all pictures of a GIF, which are in memory together.
 constexpr double kMostPixels = 100e6;
 
-/// Reads all that is drawn.
+/// Reads the meshes.
 std::vector<Panel> read_panels(const CommandLine& command) {
   std::vector<Panel> panels;
   const auto add = [&](const std::string& path, std::vector<Film> films) {
@@ -50,8 +50,9 @@ std::vector<Panel> read_panels(const CommandLine& command) {
   return panels;
 }
 
-/// Measures what is painted, and chooses the end of the colours.
-void measure(const CommandLine& command, const io::Model& cloud, std::vector<Panel>& panels, double& scale) {
+/// Measures the distances to show, and chooses the end of their colour scale.
+void measure(const CommandLine& command, const pcl::PCLPointCloud2& cloud, std::vector<Panel>& panels,
+             double& scale) {
   std::vector<double> all;
   const auto keep = [&all](const scene::Values& values) {
     all.insert(all.end(), values.begin(), values.end());
@@ -61,9 +62,10 @@ void measure(const CommandLine& command, const io::Model& cloud, std::vector<Pan
     with_file(command.reference, [&] { reference.emplace(io::read_mesh(command.reference)); });
   for (Panel& panel : panels)
     for (Film& film : panel.films) {
-      if (film.mesh.triangles.empty()) continue;
+      if (film.mesh.polygons.empty()) continue;
       if (reference) keep(film.face_values = reference->of_faces(film.mesh));
-      if (command.deviation) keep(film.point_values = scene::Deviation(film.mesh).of_points(cloud.positions));
+      if (command.deviation)
+        keep(film.point_values = scene::Deviation(film.mesh).of_points(io::positions_of(cloud)));
     }
   scale = command.range > 0 ? command.range : scene::scale_length(std::move(all));
 }
@@ -78,9 +80,9 @@ std::string numbered(const std::string& path, int number) {
 void run(CommandLine command) {
   with_file(command.output, [&] { io::check_writable(command.output); });
   std::vector<Panel> panels = read_panels(command);
-  io::Model cloud;
+  pcl::PCLPointCloud2 cloud;
   if (!command.points.empty())
-    cloud = with_file(command.points, [&] { return io::read_cloud(command.points); });
+    cloud = with_file(command.points, [&] { return io::read_cloud(command.points); }).points;
   measure(command, cloud, panels, command.view.style.scale);
 
   std::size_t pictures = static_cast<std::size_t>(command.turns);

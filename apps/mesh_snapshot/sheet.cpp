@@ -18,7 +18,7 @@ constexpr double kLabelMargin = 1.16;
 
 double panel_width(const View& view) { return static_cast<double>(view.width) / view.columns; }
 
-/// The panels whose extent the panel's view is fitted to: from the first to before the second.
+/// The range of panels, first and past the last, whose extent fits the view of a panel.
 std::pair<std::size_t, std::size_t> fitted_with(std::size_t panel, std::size_t panels, const View& view) {
   const auto columns = static_cast<std::size_t>(view.columns), row = panel / columns * columns;
   if (view.fit == Fit::Each) return {panel, panel + 1};
@@ -27,17 +27,18 @@ std::pair<std::size_t, std::size_t> fitted_with(std::size_t panel, std::size_t p
 }
 
 scene::Target aim_at(const std::vector<Panel>& panels, std::pair<std::size_t, std::size_t> fitted,
-                     const io::Model& cloud, const std::vector<scene::Frame>& frames) {
-  std::vector<const std::vector<Point>*> points = {&cloud.positions};
+                     const pcl::PCLPointCloud2& cloud, const std::vector<scene::Frame>& frames) {
+  std::vector<std::vector<Point>> points = {io::positions_of(cloud)};
   for (std::size_t i = fitted.first; i < fitted.second; ++i)
-    for (const Film& film : panels[i].films) points.push_back(&film.mesh.positions);
+    for (const Film& film : panels[i].films) points.push_back(io::positions_of(film.mesh.cloud));
   return scene::aim(points, frames);
 }
 
 /// A panel's part of the window.
 class PanelDrawing {
  public:
-  PanelDrawing(const Panel& panel, const io::Model& cloud, const scene::Target& target, const View& view)
+  PanelDrawing(const Panel& panel, const pcl::PCLPointCloud2& cloud, const scene::Target& target,
+               const View& view)
       : panel_(panel), cloud_(cloud), target_(target), view_(view) {
     scene::light(renderer_);
     if (!panel.label.empty()) renderer_->AddActor(scene::draw_label(panel.label));
@@ -53,7 +54,7 @@ class PanelDrawing {
     shown_ = &film;
     for (const auto& prop : props_) renderer_->RemoveViewProp(prop);
     props_ = scene::draw_mesh(film.mesh, film.face_values, target_.middle, view_.style);
-    if (!cloud_.positions.empty())
+    if (io::size_of(cloud_) > 0)
       props_.push_back(scene::draw_points(cloud_, film.point_values, target_.middle, view_.style));
     for (const auto& prop : props_) renderer_->AddViewProp(prop);
   }
@@ -66,7 +67,7 @@ class PanelDrawing {
 
  private:
   const Panel& panel_;
-  const io::Model& cloud_;
+  const pcl::PCLPointCloud2& cloud_;
   scene::Target target_;
   const View& view_;
   vtkNew<vtkRenderer> renderer_;
@@ -76,8 +77,8 @@ class PanelDrawing {
 
 }  // namespace
 
-void draw_sheet(const std::vector<Panel>& panels, const io::Model& cloud, const View& view, int turns,
-                const std::function<void(vtkSmartPointer<vtkImageData>)>& take) {
+void draw_sheet(const std::vector<Panel>& panels, const pcl::PCLPointCloud2& cloud, const View& view,
+                int turns, const std::function<void(vtkSmartPointer<vtkImageData>)>& take) {
   std::vector<scene::Frame> frames;
   for (int turn = 0; turn < turns; ++turn) {
     scene::Angles angles = view.angles;

@@ -8,32 +8,32 @@
 #include <string>
 #include <vector>
 
-#include "io/model.h"
+#include "io/cloud.h"
 #include "scene/camera.h"
 #include "scene/drawing.h"
 
 namespace filmsticking::app {
 
-/// A mesh and the numbers that it and the points over it are painted by; empty: plain.
+/// A mesh, and values to show as colours of its faces and of the points; empty: plain.
 struct Film {
-  io::Model mesh;  ///< without triangles: nothing
+  pcl::PolygonMesh mesh;  ///< without triangles: nothing
   scene::Values face_values, point_values;
 };
 
 /// One place of the picture.
 struct Panel {
-  std::vector<Film> films;  ///< one, or those of an evolution; at least one
+  std::vector<Film> films;  ///< one, or one a step; at least one
   std::string label;        ///< written under it; empty: none
 };
 
-/// What shares one scale and one middle.
+/// The panels that share one scale and one middle.
 enum class Fit {
-  All,   ///< all panels
+  All,   ///< all
   Row,   ///< the panels of a row
-  Each,  ///< nothing: every mesh fills its panel
+  Each,  ///< none: every mesh fills its panel
 };
 
-/// How the meshes are looked at; the same for all.
+/// The view of all panels.
 struct View {
   int width = 700;  ///< of the whole picture, in pixels
   int height = 700;
@@ -43,10 +43,10 @@ struct View {
   Fit fit = Fit::All;
 };
 
-/// Draws the panels, each with `cloud` over it, and hands the pictures to `take` one by one. With `turns` > 1
-/// there are as many, from views spread evenly around the upright axis, and evolutions go on meanwhile; else
-/// one for each film of the longest evolution. Needs an X display.
-void draw_sheet(const std::vector<Panel>& panels, const io::Model& cloud, const View& view, int turns,
-                const std::function<void(vtkSmartPointer<vtkImageData>)>& take);
+/// Draws the panels, each with `cloud` over it, and passes the pictures to `take` one by one. `turns` > 1:
+/// that many pictures, from views spread evenly around the upright axis, with the steps spread over them;
+/// else one for each step of the longest panel. Needs an X display.
+void draw_sheet(const std::vector<Panel>& panels, const pcl::PCLPointCloud2& cloud, const View& view,
+                int turns, const std::function<void(vtkSmartPointer<vtkImageData>)>& take);
 
 }  // namespace filmsticking::app

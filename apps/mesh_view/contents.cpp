@@ -6,8 +6,8 @@
 
 namespace filmsticking::app {
 
-Contents::Contents(std::vector<scene::Step> films, io::Model cloud, std::optional<io::Model> reference,
-                   double range)
+Contents::Contents(std::vector<scene::Step> films, pcl::PCLPointCloud2 cloud,
+                   const std::optional<pcl::PolygonMesh>& reference, double range)
     : films_(std::move(films)), cloud_(std::move(cloud)), range_(range) {
   if (reference) reference_.emplace(*reference);
 }
@@ -15,10 +15,11 @@ Contents::Contents(std::vector<scene::Step> films, io::Model cloud, std::optiona
 Scope Contents::scope() const {
   Scope scope;
   scope.films = films_.size();
-  scope.points = !cloud_.positions.empty();
+  scope.points = io::size_of(cloud_) > 0;
   const bool colours =
-      !cloud_.colours.empty() ||
-      std::any_of(films_.begin(), films_.end(), [](const scene::Step& s) { return !s.film.colours.empty(); });
+      !io::colours_of(cloud_).empty() || std::any_of(films_.begin(), films_.end(), [](const scene::Step& s) {
+        return !io::colours_of(s.film.cloud).empty();
+      });
   if (colours) scope.paints.push_back(Paint::Colours);
   if (reference_ && scope.films > 0) scope.paints.push_back(Paint::Faces);
   if (scope.points && scope.films > 0) scope.paints.push_back(Paint::Points);
@@ -29,7 +30,7 @@ const scene::Values& Contents::values(Paint paint, std::size_t film) {
   const auto [known, is_new] = values_.try_emplace({paint, film});
   if (is_new && paint == Paint::Faces) known->second = reference_->of_faces(films_[film].film);
   if (is_new && paint == Paint::Points)
-    known->second = scene::Deviation(films_[film].film).of_points(cloud_.positions);
+    known->second = scene::Deviation(films_[film].film).of_points(io::positions_of(cloud_));
   return known->second;
 }
 
@@ -45,9 +46,9 @@ std::string status_line(const Contents& contents, const ViewState& state) {
     const scene::Step& film = contents.films()[state.film];
     line = film.name;
     if (films > 1) line += " (" + std::to_string(state.film + 1) + " of " + std::to_string(films) + ")";
-    line += ", " + std::to_string(film.film.triangles.size()) + " faces";
+    line += ", " + std::to_string(film.film.polygons.size()) + " faces";
   }
-  const std::size_t points = contents.cloud().positions.size();
+  const std::size_t points = io::size_of(contents.cloud());
   if (points > 0) line += (line.empty() ? "" : ", ") + std::to_string(points) + " points";
   if (state.paint == Paint::Colours) line += ", colours of the files";
   if (state.paint == Paint::Faces) line += ", faces by distance";

@@ -6,8 +6,8 @@
 #include "command_line.h"
 #include "common/program.h"
 #include "contents.h"
+#include "io/formats.h"
 #include "io/io_error.h"
-#include "io/model_file.h"
 #include "io/with_file.h"
 #include "scene/image.h"
 #include "window.h"
@@ -18,7 +18,7 @@ using io::with_file;
 
 namespace {
 
-io::Model read_mesh(const std::string& path) {
+pcl::PolygonMesh read_mesh(const std::string& path) {
   return with_file(path, [&] { return io::read_mesh(path); });
 }
 
@@ -27,10 +27,10 @@ void run(const CommandLine& command) {
   if (!command.steps.empty()) films = scene::read_steps(command.steps);
   if (!command.mesh.empty())
     films.push_back({std::filesystem::path(command.mesh).filename().string(), read_mesh(command.mesh)});
-  io::Model cloud;
+  pcl::PCLPointCloud2 cloud;
   if (!command.points.empty())
-    cloud = with_file(command.points, [&] { return io::read_cloud(command.points); });
-  std::optional<io::Model> reference;
+    cloud = with_file(command.points, [&] { return io::read_cloud(command.points); }).points;
+  std::optional<pcl::PolygonMesh> reference;
   if (!command.reference.empty()) reference = read_mesh(command.reference);
 
   Contents contents(std::move(films), std::move(cloud), std::move(reference), command.range);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What mesh_view shows and how keys change it, without a window.
+// The state of mesh_view and its keys, without a window.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace filmsticking::app {
 
-/// What the colours tell.
+/// The meaning of the colours.
 enum class Paint {
   Plain,    ///< nothing: light faces with red backs
   Colours,  ///< the colours of the files
@@ -16,14 +16,14 @@ enum class Paint {
   Points,   ///< the distance of each point to the mesh
 };
 
-/// What there is to show.
+/// The contents of the window.
 struct Scope {
   std::size_t films = 0;                    ///< meshes, one at a time
   bool points = false;                      ///< a cloud
-  std::vector<Paint> paints{Paint::Plain};  ///< that make sense
+  std::vector<Paint> paints{Paint::Plain};  ///< that the contents allow
 };
 
-/// What is shown.
+/// The visible part of the contents.
 struct ViewState {
   std::size_t film = 0;  ///< of the films
   bool surface = true;   ///< the film
@@ -36,11 +36,11 @@ struct ViewState {
   double point_size = 3;  ///< in pixels
 };
 
-/// What is to be done after a key.
+/// The effect of a key on the window.
 enum class Action {
-  None,        ///< nothing; the key has no meaning
+  None,        ///< none: the key has no meaning
   Draw,        ///< show the changed state
-  ResetView,   ///< look from where the program looked first
+  ResetView,   ///< restore the first view
   Screenshot,  ///< write a picture of the window
   Quit,
 };
@@ -48,13 +48,13 @@ enum class Action {
 /// Changes the state as the key says. `key`: X's name of it, as "Right" or "b".
 Action press(const std::string& key, const Scope& scope, ViewState& state);
 
-/// Goes on to the next film, and stops playing at the last one.
+/// Steps to the next film; stops playing at the last.
 void play_on(const Scope& scope, ViewState& state);
 
-/// Whether any state gives the key a meaning.
+/// Whether the key has a meaning in some state.
 bool is_key(const std::string& key);
 
-/// The keys and what they do, a line each.
+/// The keys and their effects, a line each.
 std::string key_help();
 
 }  // namespace filmsticking::app

@@ -31,7 +31,7 @@ using pcl::visualization::PCLVisualizerInteractorStyle;
 
 constexpr unsigned kTick = 200;  // milliseconds from a film to the next
 
-/// PCL's mouse, and keys of our own: of PCL's own keys many are for clouds that it drew itself.
+/// PCL's mouse with other keys: many of PCL's act on clouds that PCL drew.
 class OwnKeys : public PCLVisualizerInteractorStyle {
  public:
   static OwnKeys* New();
@@ -68,8 +68,8 @@ class Window {
     visualizer_.setShowFPS(false);
     renderer_ = visualizer_.getRendererCollection()->GetFirstRenderer();
     scene::light(renderer_);
-    std::vector<const std::vector<Point>*> points = {&contents.cloud().positions};
-    for (const scene::Step& step : contents.films()) points.push_back(&step.film.positions);
+    std::vector<std::vector<Point>> points = {io::positions_of(contents.cloud())};
+    for (const scene::Step& step : contents.films()) points.push_back(io::positions_of(step.film.cloud));
     frame_ = scene::make_frame(options.angles);
     target_ = scene::aim(points, {frame_});
     reset_view();
@@ -111,7 +111,7 @@ class Window {
     }
   }
 
-  /// The next of the keys to press, or the next film of those that are played.
+  /// Presses the next key of the options, or shows the next film while they play.
   void tick() {
     const bool waits = next_key_ < options_.keys.size() && options_.keys[next_key_] == kWait;
     if (waits) ++next_key_;
@@ -165,10 +165,10 @@ class Window {
     visualizer_.getRenderWindow()->Render();
   }
 
-  /// What goes wrong is told in the window, which stays open.
+  /// Errors are shown in the window, which stays open.
   void take_screenshot() {
     const std::string name = free_name(options_.screenshot);
-    draw();  // the status line again, where the last message still stands
+    draw();  // the status line in place of the last message
     try {
       io::with_file(
           name, [&] { io::write_file(name, scene::encode_png(scene::grab(visualizer_.getRenderWindow()))); });

@@ -9,15 +9,15 @@
 
 namespace filmsticking::app {
 
-/// Among keys to press: none for a moment, in which what is played goes on.
+/// Among keys to press: a pause of one tick, in which films play.
 constexpr char kWait[] = "wait";
 
-/// How the window comes up.
+/// The first state of the window.
 struct WindowOptions {
   int width = 1000, height = 750;  ///< pixels
   scene::Angles angles;
-  std::string screenshot = "mesh_view.png";  ///< a number is put before the ending where that is taken
-  std::vector<std::string> keys;             ///< pressed one by one when it is open; or kWait
+  std::string screenshot = "mesh_view.png";  ///< with a number before the extension where the name is taken
+  std::vector<std::string> keys;             ///< pressed one by one in the open window; or kWait
 };
 
 /// Shows a window of pcl::visualization::PCLVisualizer until it is closed. Needs an X display.

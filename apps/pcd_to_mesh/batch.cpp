@@ -18,7 +18,7 @@
 namespace filmsticking::app {
 namespace {
 
-/// One bar for tasks that run at the same time.
+/// One bar for concurrent tasks.
 class SharedBar {
  public:
   explicit SharedBar(std::size_t tasks) : shares_(tasks, 0) {}
@@ -59,8 +59,9 @@ std::vector<TaskResult> run_all(const CommandLine& command) {
   const auto work = [&] {
     for (std::size_t i = next++; i < count && !stop_asked; i = next++) {
       const std::string name = name_of(command.tasks[i].input);
-      results[i] = run_task(command.tasks[i], command,
-                            [&](double share, const char* room) { bar.show(i, share, name + ": " + room); });
+      results[i] = run_task(command.tasks[i], command, [&](double share, const char* stage) {
+        bar.show(i, share, name + ": " + stage);
+      });
       bar.show(i, 1, name);
       if (!results[i].ok() && !results[i].interrupted) bar.complain(results[i].error);
     }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // pcd_to_mesh: files of points in, files with closed manifold meshes out.
+#include <pcl/console/print.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cinttypes>
@@ -27,7 +29,7 @@ namespace {
 
 constexpr const char* kName = "pcd_to_mesh";
 
-/// Makes the folders and refuses a report that could not be written, before the work.
+/// Makes the folders, and refuses a report that cannot be written, before the work.
 void prepare_outputs(const CommandLine& command) {
   if (command.batch)
     with_file(command.folder, [&] {
@@ -43,7 +45,7 @@ void write_report(const CommandLine& command, const std::string& json) {
   if (!command.report.empty()) with_file(command.report, [&] { io::write_file(command.report, json); });
 }
 
-/// Where people are told how it went: a mesh may have taken standard output.
+/// The stream for the summary: the mesh may go to standard output.
 std::FILE* stream_for_people(const CommandLine& command) {
   return command.tasks[0].output == kStandardStream ? stderr : stdout;
 }
@@ -66,7 +68,7 @@ int run_one(const CommandLine& command) {
   {
     ProgressBar bar;
     outcome = run_task(command.tasks[0], command,
-                       [&bar](double share, const char* room) { bar.show(share, room); });
+                       [&bar](double share, const char* stage) { bar.show(share, stage); });
   }
   if (outcome.reached) write_report(command, report_json(outcome.result, outcome.facts));
   if (outcome.ok()) {
@@ -104,6 +106,7 @@ int main(int argc, char** argv) {
     if (command.help) std::fputs(usage().c_str(), stdout);
     if (command.version) std::puts("pcd_to_mesh " FILMSTICKING_VERSION);
     if (command.help || command.version) return 0;
+    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);  // errors are said once, by this program
     stop_on_signal();
     prepare_outputs(command);
     return command.batch ? run_batch(command) : run_one(command);

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh_task.h"
 
+#include <pcl/point_types.h>
+#include <pcl/surface/filmsticking_pp.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <new>
 #include <utility>
 
-#include "common/mesh_model.h"
 #include "common/stop_signal.h"
 #include "common/summary.h"
-#include "filters/model_filter.h"
+#include "filters/filter_chain.h"
 #include "io/files.h"
-#include "io/format.h"
-#include "io/model_file.h"
+#include "io/formats.h"
 #include "io/with_file.h"
 #include "step_dump.h"
 
@@ -29,15 +30,15 @@ std::string shown(const std::string& path, const char* stream) {
   return path == kStandardStream ? stream : path;
 }
 
-io::Model read_input(const std::string& path, const CommandLine& command) {
+io::Cloud read_input(const std::string& path, const CommandLine& command) {
   const std::int64_t most = command.options.max_memory;
   if (path != kStandardStream && command.from.empty()) return io::read_cloud(path, most);
-  std::string bytes =
+  const std::string bytes =
       path == kStandardStream ? io::read_standard_input(most, &stop_asked) : io::read_file(path, most);
   const std::string known = command.from.empty() ? io::detect_format(bytes) : command.from;
   if (known.empty()) throw io::IoError("its format is not recognised; --format names it");
-  io::Model cloud = io::decode_cloud(known, std::move(bytes));
-  if (cloud.positions.empty()) throw io::IoError("there are no points in it");
+  io::Cloud cloud = io::decode_cloud(known, bytes);
+  if (io::size_of(cloud.points) == 0) throw io::IoError("there are no points in it");
   return cloud;
 }
 
@@ -48,55 +49,75 @@ void check_output(const Task& task, const CommandLine& command) {
       throw io::IoError("it is a terminal; send it to a file or a program");
     return;
   }
-  if (!io::can_write_model(task.output))
+  if (!io::can_write_mesh(task.output))
     throw io::IoError("its extension is none of .ply .obj .stl .vtk .glb");
   std::error_code error;
   if (fs::equivalent(task.input, task.output, error)) throw io::IoError("it is the input");
   io::check_writable(task.output);
 }
 
-void write_output(const Task& task, const CommandLine& command, const io::Model& mesh) {
+void write_output(const Task& task, const CommandLine& command, const pcl::PCLPointCloud2& vertices,
+                  const std::vector<Triangle>& triangles) {
   if (task.output == kStandardStream) {
-    io::encode_model(command.to, mesh, io::write_standard_output);
+    io::encode_mesh(command.to, vertices, triangles, io::write_standard_output);
   } else {
-    io::write_model(task.output, mesh);
+    io::write_mesh(task.output, vertices, triangles);
   }
 }
 
-void run(const Task& task, const CommandLine& command, const Progress& progress, TaskResult& outcome) {
+io::Cloud read_and_filter(const Task& task, const CommandLine& command, TaskResult& outcome) {
   RunFacts& facts = outcome.facts;
-  io::Model cloud;
+  io::Cloud cloud;
   try {
     cloud = with_file(facts.input, [&] { return read_input(task.input, command); });
   } catch (const io::IoError&) {
     outcome.interrupted = stop_asked;
     throw;
   }
-  facts.read = static_cast<std::int64_t>(cloud.positions.size());
+  facts.read = static_cast<std::int64_t>(io::size_of(cloud.points));
   with_file(facts.output, [&] { check_output(task, command); });
-  if (command.filters.any()) {
-    try {
-      cloud = filters::filter(cloud, command.filters);
-    } catch (const filters::FilterError& error) {
-      throw io::IoError(facts.input + ": " + error.what());
-    }
-    if (cloud.positions.empty()) throw io::IoError(facts.input + ": the filters leave no point");
+  if (!command.filters.any()) return cloud;
+  try {
+    cloud.points = filters::filter(cloud.points, command.filters);
+  } catch (const filters::FilterError& error) {
+    throw io::IoError(facts.input + ": " + error.what());
   }
+  if (io::size_of(cloud.points) == 0) throw io::IoError(facts.input + ": the filters leave no point");
+  return cloud;
+}
 
-  StepDump dump(command.dump_steps);
-  Execution execution;
-  execution.progress = progress;
-  execution.cancel = &stop_asked;
-  if (!command.dump_steps.empty())
-    execution.on_step = [&dump](int step, const Mesh& film) { dump.write(step, film); };
+/// Fills `result` but for its gaps; returns the vertices with all fields of the cloud.
+pcl::PCLPointCloud2 reconstruct(io::Cloud cloud, const CommandLine& command, const Progress& progress,
+                                StepDump& dump, Result& result) {
+  pcl::FilmstickingPP<pcl::PointXYZ> filmsticking;
+  filmsticking.useNoViewPoint();  // but for one that is given
   Options options = command.options;
   if (!options.viewpoint) options.viewpoint = cloud.viewpoint;
-  outcome.result = reconstruct(cloud.positions, options, execution);
+  filmsticking.setOptions(options);
+  filmsticking.setProgressCallback(progress);
+  filmsticking.setCancelFlag(&stop_asked);
+  if (!command.dump_steps.empty())
+    filmsticking.setStepCallback([&dump](int step, const Mesh& film) { dump.write(step, film); });
+  filmsticking.setInputBlob(std::make_shared<pcl::PCLPointCloud2>(std::move(cloud.points)));
+  pcl::PCLPointCloud2 vertices;
+  filmsticking.reconstruct(vertices, result.triangles);
+  result.status = filmsticking.getStatus();
+  result.message = filmsticking.getStatusMessage();
+  result.report = filmsticking.getReport();
+  result.vertices = filmsticking.getVertexIndices();
+  return vertices;
+}
+
+void run(const Task& task, const CommandLine& command, const Progress& progress, TaskResult& outcome) {
+  io::Cloud cloud = read_and_filter(task, command, outcome);
+  StepDump dump(command.dump_steps);
+  const pcl::PCLPointCloud2 vertices = reconstruct(std::move(cloud), command, progress, dump, outcome.result);
   outcome.reached = true;
   if (!dump.error().empty()) throw io::IoError(dump.error());
   outcome.interrupted = outcome.result.status == Status::Cancelled;
-  if (outcome.result.status != Status::Ok) throw io::IoError(facts.input + ": " + reason(outcome.result));
-  with_file(facts.output, [&] { write_output(task, command, mesh_model(std::move(cloud), outcome.result)); });
+  if (outcome.result.status != Status::Ok)
+    throw io::IoError(outcome.facts.input + ": " + outcome.result.message);
+  with_file(outcome.facts.output, [&] { write_output(task, command, vertices, outcome.result.triangles); });
 }
 
 }  // namespace

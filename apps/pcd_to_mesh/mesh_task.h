@@ -7,10 +7,10 @@
 
 namespace filmsticking::app {
 
-/// Who hears how far a task is; from the thread that runs it.
-using Progress = std::function<void(double share, const char* room)>;
+/// Receives the share done and the stage at work, from the thread that runs the task.
+using Progress = std::function<void(double share, const char* stage)>;
 
-/// What became of a task.
+/// The outcome of a task.
 struct TaskResult {
   RunFacts facts;
   Result result;             ///< filled when the reconstruction was reached
@@ -21,8 +21,7 @@ struct TaskResult {
   bool ok() const { return error.empty(); }
 };
 
-/// Reads a cloud, filters it, reconstructs and writes the mesh. Files that cannot be read or written and the
-/// like are in the result; nothing is thrown.
+/// Reads a cloud, filters it, reconstructs and writes the mesh. Throws nothing: failures are in the result.
 TaskResult run_task(const Task& task, const CommandLine& command, const Progress& progress) noexcept;
 
 }  // namespace filmsticking::app

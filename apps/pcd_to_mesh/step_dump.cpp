@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "common/stop_signal.h"
-#include "io/model_file.h"
+#include "io/formats.h"
 #include "io/with_file.h"
 
 namespace filmsticking::app {
@@ -16,7 +16,7 @@ void StepDump::write(int step, const Mesh& film) noexcept {
     char name[32];
     std::snprintf(name, sizeof name, "step_%03d.ply", step);
     const std::string path = (std::filesystem::path(folder_) / name).string();
-    io::with_file(path, [&] { io::write_model(path, {film.positions, {}, film.triangles}); });
+    io::with_file(path, [&] { io::write_mesh(path, io::make_cloud(film.positions), film.triangles); });
   } catch (const std::exception& error) {
     error_ = error.what();
     stop_asked = true;

@@ -7,14 +7,14 @@
 
 namespace filmsticking::app {
 
-/// Writes the film of each step; the first file that cannot be written stops the run.
+/// Writes the film after each step; a file that cannot be written stops the run.
 class StepDump {
  public:
   explicit StepDump(std::string folder) : folder_(std::move(folder)) {}
 
   void write(int step, const Mesh& film) noexcept;
 
-  /// What went wrong; empty if nothing did.
+  /// Why a file could not be written; empty if all were.
   const std::string& error() const { return error_; }
 
  private:

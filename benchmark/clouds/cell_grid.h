@@ -28,7 +28,7 @@ class CellGrid {
     return cell;
   }
 
-  /// Calls body(sample) for what lies in the cell of `p` and in the 26 around it.
+  /// Calls body(sample) for all samples in the cell of `p` and in the 26 around it.
   template <class Body>
   void each_near(const Vec3& p, const Body& body) const {
     const Cell at = cell_of(p);

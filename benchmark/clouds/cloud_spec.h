@@ -18,10 +18,10 @@ enum class Sampling {
 /// The name on the command line; never null.
 const char* name_of(Sampling sampling);
 
-/// Throws std::invalid_argument, whose what() tells the names that there are.
+/// Throws std::invalid_argument, whose what() lists the names.
 Sampling sampling_of(const std::string& name);
 
-/// Is it of what a depth camera sees?
+/// Whether a depth camera makes the points.
 inline bool is_depth(Sampling sampling) {
   return sampling == Sampling::DepthView || sampling == Sampling::DepthFrame;
 }
@@ -42,7 +42,7 @@ struct CloudSpec {
   double outliers = 0;  ///< share of the points that are uniform in that box instead, 0 to 1
   double missing = 0;   ///< share of the surface that is not sampled, in round patches, 0 to 0.9
 
-  /// Like "monte-carlo", followed by what disturbs it, like "monte-carlo noise 0.005".
+  /// Like "monte-carlo", followed by the disturbances, like "monte-carlo noise 0.005".
   std::string kind() const;
 };
 

@@ -27,7 +27,8 @@ constexpr int kFirstPixels = 50;    // from the middle of the first image to its
 constexpr int kImages = 20;         // at most, to find the size of the pixels
 constexpr double kTooMany = 0.01;   // hits, that are left out
 constexpr double kDistance = 2;     // of the camera, in diagonals
-constexpr double kBehind = 1e-9;    // what lies so much further away, in the distance, is seen nevertheless
+constexpr double kBehind =
+    1e-9;  // share of the distance by which a visible point may be behind the first hit
 
 Kernel::Point_3 cgal_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 

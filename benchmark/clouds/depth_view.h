@@ -10,9 +10,9 @@
 
 namespace filmsticking::bench {
 
-/// What a depth camera sees of a mesh from one side: the first hits of the rays through the pixels of a
+/// The view of a depth camera on a mesh: the first hits of the rays through the pixels of a
 /// regular grid. It looks at the middle of the box, from two diagonals away, in a direction that the seed
-/// chooses. `count` points: the pixels are as large as they can be for so many, and what is too many then is
+/// chooses. `count` points: the pixels are as large as possible for that number, and surplus points are
 /// left out at random. Throws std::invalid_argument for a mesh that no ray meets.
 std::vector<Sample> sample_depth_view(const Mesh& mesh, std::size_t count, std::uint64_t seed);
 

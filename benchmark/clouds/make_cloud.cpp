@@ -39,8 +39,8 @@ std::vector<Sample> draw_samples(const SurfaceSampler& surface, Sampling samplin
   return blue ? eliminate_samples(samples, count, surface.area(), surface.low()) : samples;
 }
 
-/// What a file of floats keeps. volatile: GCC 12 leaves the rounding out where it puts two such casts in one
-/// vector instruction.
+/// Rounded to float. volatile: GCC 12 omits the rounding where it puts two such casts in one vector
+/// instruction.
 double rounded(double x) {
   const volatile float kept = static_cast<float>(x);
   return kept;

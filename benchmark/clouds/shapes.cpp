@@ -115,7 +115,7 @@ Mesh make_bottle(double width) {
   return make_level_surface(field, {-0.7, -0.7, -1.2}, {0.7, 0.7, 1.5}, cell_for(std::min(width, kWall)));
 }
 
-/// A ball with a hole that goes straight down and then two times around.
+/// A ball with a hole that runs straight down and then around the axis twice.
 Mesh make_spiral(double width) {
   constexpr double kRadius = 0.5, kTop = 0.4, kPitch = 0.45, kAngle = 4 * M_PI;
   const auto at = [](double angle) {  // counted down from the top
@@ -195,7 +195,7 @@ const Family* family_of(const std::string& name) {
 }
 
 /// The member whose size is k sqrt(area / points). The area grows no faster than the size does, so every
-/// round at least halves the error; what is left is below a thousandth.
+/// round at least halves the error; the rest is below a thousandth.
 Mesh fit(const Family& family, double k, std::int64_t points) {
   constexpr int kRounds = 12;
   double size = std::min(0.1, family.most);

@@ -22,7 +22,7 @@ class SurfaceSampler {
 
   Sample draw(Random& random) const;
 
-  double area() const { return area_ * (1 - missing_); }  ///< of what can be drawn
+  double area() const { return area_ * (1 - missing_); }  ///< of the part that is drawn from
   const Vec3& low() const { return low_; }                ///< the box of the mesh
   const Vec3& high() const { return high_; }
   double diagonal() const { return (high_ - low_).norm(); }

@@ -9,8 +9,8 @@
 #include "clouds/make_cloud.h"
 #include "clouds/random.h"
 #include "clouds/shapes.h"
+#include "io/formats.h"
 #include "io/io_error.h"
-#include "io/model_file.h"
 
 namespace filmsticking::bench {
 namespace {
@@ -21,6 +21,13 @@ std::vector<Point> finite_points(const std::vector<Point>& points) {
     return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
   });
   return finite;
+}
+
+/// A file's points, and its triangles if it has some.
+Mesh read_shape(const std::string& path) {
+  const pcl::PolygonMesh model = io::read_model(path);
+  if (io::size_of(model.cloud) == 0) throw io::IoError("there are no points in it");
+  return {io::positions_of(model.cloud), io::triangles_of(model.polygons)};
 }
 
 }  // namespace
@@ -39,17 +46,10 @@ CloudFiles prepare_cloud(const Input& input, const CloudSpec& spec, bool thin_cl
   CloudFiles files{folder + "/cloud.ply", "", cloud_row(input, spec)};
   std::filesystem::create_directories(folder);
   try {
-    io::Model model;
-    if (input.path.empty()) {
-      Mesh shape = make_shape(input.name, spec.points);
-      model.positions = std::move(shape.positions);
-      model.triangles = std::move(shape.triangles);
-    } else {
-      model = io::read_cloud(input.path);
-    }
+    const Mesh mesh = input.path.empty() ? make_shape(input.name, spec.points) : read_shape(input.path);
     std::vector<Point> points;
-    if (model.triangles.empty()) {
-      points = finite_points(model.positions);
+    if (mesh.triangles.empty()) {
+      points = finite_points(mesh.positions);
       const bool thin = thin_clouds && static_cast<std::int64_t>(points.size()) > spec.points;
       if (thin) {
         Random random(spec.seed);
@@ -59,17 +59,16 @@ CloudFiles prepare_cloud(const Input& input, const CloudSpec& spec, bool thin_cl
       files.row.set("kind", thin ? "thinned" : "as it is");
       files.row.set("points", std::to_string(points.size()));
     } else {
-      const Mesh mesh{model.positions, model.triangles};
       files.truth = input.path;
       if (input.path.empty() || is_depth(spec.sampling)) {
         files.truth = folder + "/truth.ply";
         const Mesh truth = sampled_part(mesh, spec);
-        io::write_model(files.truth, {truth.positions, {}, truth.triangles});
+        io::write_mesh(files.truth, io::make_cloud(truth.positions), truth.triangles);
       }
       points = make_cloud(mesh, spec);
       files.row.set("points", std::to_string(points.size()));
     }
-    io::write_model(files.cloud, {points, {}, {}});
+    io::write_mesh(files.cloud, io::make_cloud(points), {});
   } catch (const io::IoError& error) {
     throw std::runtime_error(input.name + ": " + error.what());
   } catch (const std::invalid_argument& error) {

@@ -70,7 +70,7 @@ class QualityRun {
     }
   }
 
-  /// All methods on one cloud, which is made when the first of them has not been done yet.
+  /// All methods on one cloud, which is made for the first method without a row.
   void take(std::size_t index) {
     const CloudPlan& plan = plans_[index];
     std::optional<CloudFiles> files;
@@ -81,7 +81,7 @@ class QualityRun {
       files = prepare_cloud(plan.input, plan.spec, false, folder);
       cloud = files->row;
     };
-    // What a file holds, a mesh or a cloud, shows when it is read; rows of clouds are found only then.
+    // Whether a file is a mesh or a cloud is known once it is read; only then are rows of clouds found.
     const bool known = std::all_of(methods_.begin(), methods_.end(), [&](const std::string& method) {
       return results_.has(planned_row(cloud, method, measurement_));
     });

@@ -9,7 +9,7 @@
 namespace filmsticking::bench {
 
 /// Markdown: for every kind and size of cloud, and every shape if `by_shape`, a table of quality and one of
-/// cost, with a row a method. The README tells what the columns are.
+/// cost, with a row a method. The README explains the columns.
 std::string quality_tables(const std::vector<Row>& rows, const std::vector<std::string>& methods,
                            const std::string& peer, bool by_shape);
 

@@ -39,7 +39,7 @@ void Results::read() {
     throw std::runtime_error(path_ + ": it is not a table of these columns; --fresh replaces it");
   while (std::getline(lines, line)) {
     const std::vector<std::string> fields = csv_fields(line);
-    if (lines.eof() || fields.size() != columns().size()) continue;  // cut off while it was written
+    if (lines.eof() || fields.size() != columns().size()) continue;  // interrupted while it was written
     Row row;
     for (std::size_t i = 0; i < fields.size(); ++i) row.set(columns()[i], fields[i]);
     if (rows_.insert_or_assign(row.key(), row).second) order_.push_back(row.key());

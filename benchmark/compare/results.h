@@ -10,7 +10,7 @@
 
 namespace filmsticking::bench {
 
-/// The rows of a CSV file, which grows row by row: a run that was stopped goes on where it was.
+/// The rows of a CSV file, which grows row by row, so that a stopped run can be resumed.
 class Results {
  public:
   /// Takes up what the file holds, unless `fresh`; an empty path keeps the rows in memory only. Throws

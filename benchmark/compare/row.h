@@ -8,12 +8,12 @@
 
 namespace filmsticking::bench {
 
-/// The columns of the table in their order; the README tells what each means. The first say what was run and
-/// no two rows have them alike.
+/// The columns of the table in their order; the README explains them. The first identify the run: no two rows
+/// agree in all of them.
 const std::vector<std::string>& columns();
 constexpr std::size_t kKeyColumns = 7;
 
-/// One run of one method on one cloud: texts by column; an empty text stands for what is not known.
+/// One run of one method on one cloud: texts by column; an empty text: unknown.
 class Row {
  public:
   void set(const std::string& column, const std::string& text);
@@ -23,7 +23,7 @@ class Row {
   bool is(const std::string& column, const std::string& text) const { return this->text(column) == text; }
   bool ended_well() const { return is("status", "ok"); }
 
-  /// What the row is a result of.
+  /// The run that the row is a result of.
   std::string key() const;
 
  private:

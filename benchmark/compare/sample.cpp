@@ -5,8 +5,8 @@
 
 #include "cloud_files.h"
 #include "cloud_list.h"
+#include "io/formats.h"
 #include "io/io_error.h"
-#include "io/model_file.h"
 #include "scratch_folder.h"
 
 namespace filmsticking::bench {
@@ -16,7 +16,7 @@ void write_sample(const CommandLine& command) {
   const ScratchFolder scratch;
   const CloudFiles files = prepare_cloud(plan.input, plan.spec, true, scratch / "cloud");
   try {
-    io::write_model(command.output, io::read_cloud(files.cloud));
+    io::write_mesh(command.output, io::read_cloud(files.cloud).points, {});
   } catch (const io::IoError& error) {
     throw std::runtime_error(command.output + ": " + error.what());
   }

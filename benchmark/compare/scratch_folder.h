@@ -8,7 +8,7 @@
 
 namespace filmsticking::bench {
 
-/// A new empty folder that goes with the object.
+/// A new empty folder, removed with the object.
 class ScratchFolder {
  public:
   ScratchFolder() {

@@ -18,12 +18,12 @@ namespace {
 constexpr int kPanelPixels = 420;
 constexpr int kMostPixels = 16384;  // a side, of mesh_snapshot
 
-/// The file of a panel, "-" for an empty one, and what is written under it.
+/// The file of a panel, "-" for an empty one, and its caption.
 struct Panel {
   std::string mesh, label;
 };
 
-/// What one row of the sheet shows.
+/// One row of the sheet.
 std::vector<Panel> make_row(const CloudPlan& plan, const std::vector<std::string>& methods,
                             const std::map<std::string, MethodEntry>& entries, const Measurement& measurement,
                             const std::string& folder) {
@@ -68,7 +68,7 @@ void draw_sheet(const CommandLine& command) {
   };
   std::vector<std::string> drawing;
   if (const char* display = std::getenv("DISPLAY"); !display || !*display) {
-    // A file of ours for the display's key: xvfb-run may fail to take its own away, and then fails itself.
+    // An own file for the display's key: xvfb-run fails where it cannot remove its own.
     std::ofstream(scratch / "key").flush();
     drawing = {"xvfb-run", "-a", "-f", scratch / "key"};
   }

@@ -15,7 +15,7 @@ struct Series {
 };
 
 /// Markdown: for every shape and kind of cloud the median seconds by size, the ratios to the Delaunay
-/// triangulation and to the peer, the memory, the exponent of growth, and the share of each room.
+/// triangulation and to the peer, the memory, the exponent of growth, and the share of each stage.
 std::string speed_tables(const std::vector<Row>& rows, const std::vector<Series>& series,
                          const std::string& peer);
 

@@ -9,8 +9,7 @@
 namespace filmsticking::bench {
 
 Outcome run_cgal_alpha_wrap(const std::vector<Point>& points, int) {
-  // The smallest alpha that does not fall through the gaps of random samples, and an offset that is no longer
-  // felt.
+  // The smallest alpha that closes the holes between random samples, and an offset too small to be seen.
   constexpr double kAlphaSpacings = 3, kAlphaOverOffset = 100;
   Outcome outcome;
   Stopwatch watch;

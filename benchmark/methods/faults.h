@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Methods that go wrong in the ways that compare must stand.
+// Methods that fail in all ways that compare must survive.
 #pragma once
 
 #include <vector>

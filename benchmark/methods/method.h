@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What run_method knows about a method of reconstruction.
+// The interface of a method of reconstruction in run_method.
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@
 
 namespace filmsticking::bench {
 
-/// What a method made of a cloud. Wall times in seconds.
+/// The result of a method for a cloud. Wall times in seconds.
 struct Outcome {
   Mesh mesh;
-  double needs_seconds = 0;        ///< what had to be there first, such as normals
+  double needs_seconds = 0;        ///< the time of what the method needs first, such as normals
   double seconds = 0;              ///< the method alone, from the array of points to the array of triangles
-  std::vector<RoomSeconds> rooms;  ///< parts of `seconds`, where the method tells them
+  std::vector<RoomSeconds> rooms;  ///< parts of `seconds`, where the method reports them
 };
 
 /// A method. `run` may throw, crash or never end: it has a process of its own.
@@ -28,7 +28,7 @@ struct Method {
   Outcome (*run)(const std::vector<Point>& points, int threads);  ///< threads 0: all
 };
 
-/// The methods that this program holds.
+/// The methods of this program.
 const std::vector<Method>& methods();
 
 }  // namespace filmsticking::bench

@@ -17,7 +17,8 @@ std::vector<Point> oriented_normals(const std::vector<Point>& points) {
   constexpr unsigned kNeighbours = 18;  // as in the library's examples
   const std::vector<Kernel::Point_3> sites = to_cgal(points);
   std::vector<Kernel::Vector_3> normals(sites.size());
-  std::vector<std::size_t> order(sites.size());  // mst_orient_normals moves what it cannot orient to the end
+  std::vector<std::size_t> order(
+      sites.size());  // mst_orient_normals moves normals that it cannot orient to the end
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto parameters = CGAL::parameters::point_map(CGAL::make_property_map(sites))
                               .normal_map(CGAL::make_property_map(normals));

@@ -22,8 +22,8 @@ Outcome run_pcl_gp3(const std::vector<Point>& points, int) {
   gp3.setInputCloud(cloud);
   gp3.setSearchMethod(tree);
   gp3.setSearchRadius(radius);
-  // The tutorial's values, but for normals that are oriented and for mu (2.5 there): random samples lie so
-  // unevenly that twice of it leaves far fewer holes.
+  // The tutorial's values, but for oriented normals and mu, 2.5 there: random samples are so uneven that its
+  // double leaves far fewer holes.
   gp3.setMu(5);
   gp3.setMaximumNearestNeighbors(100);
   gp3.setMaximumSurfaceAngle(M_PI / 4);

@@ -12,8 +12,8 @@
 #include <sstream>
 #include <string>
 
+#include "io/formats.h"
 #include "io/io_error.h"
-#include "io/model_file.h"
 #include "method.h"
 
 using namespace filmsticking;
@@ -33,7 +33,8 @@ double cpu_seconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// A value of /proc/self/status, in MB of 10^6 bytes. Not getrusage: its peak is that of the parent at first.
+/// A value of /proc/self/status, in MB of 10^6 bytes. Not getrusage, whose peak begins with that of the
+/// parent.
 double memory_mb(const std::string& name) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);)
@@ -54,7 +55,7 @@ int list() {
 }
 
 int run(const Method& method, const std::string& cloud_path, const std::string& mesh_path, int threads) {
-  const std::vector<Point> points = io::read_cloud(cloud_path).positions;
+  const std::vector<Point> points = io::positions_of(io::read_cloud(cloud_path).points);
   std::optional<tbb::global_control> limit;
   if (threads > 0)
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
@@ -65,7 +66,7 @@ int run(const Method& method, const std::string& cloud_path, const std::string& 
 
   if (method.makes_mesh) {
     if (outcome.mesh.triangles.empty()) throw std::runtime_error("it made no triangles");
-    io::write_model(mesh_path, {outcome.mesh.positions, {}, outcome.mesh.triangles});
+    io::write_mesh(mesh_path, io::make_cloud(outcome.mesh.positions), outcome.mesh.triangles);
   }
   std::ostringstream json;
   json.imbue(std::locale::classic());
@@ -78,7 +79,7 @@ int run(const Method& method, const std::string& cloud_path, const std::string& 
   for (std::size_t i = 0; i < outcome.rooms.size(); ++i)
     json << (i > 0 ? ", " : "") << "\"" << outcome.rooms[i].room << "\": " << outcome.rooms[i].seconds;
   json << "}}";
-  // Some libraries print as they like; this line comes last.
+  // The last line, as some libraries print too.
   std::fflush(stdout);
   std::printf("%s\n", json.str().c_str());
   return 0;

@@ -25,6 +25,10 @@ class PointsView {
   PointsView(const float* first, std::size_t stride, std::size_t size)
       : first_(reinterpret_cast<const char*>(first)), stride_(stride), size_(size), floats_(true) {}
 
+  /// The same with doubles.
+  PointsView(const double* first, std::size_t stride, std::size_t size)
+      : first_(reinterpret_cast<const char*>(first)), stride_(stride), size_(size) {}
+
   /// The view whose point i is point ids[i] of this view; ids must be below size(). Can be applied twice at
   /// most.
   PointsView at(const std::vector<std::int32_t>& ids) const {

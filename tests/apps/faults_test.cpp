@@ -12,7 +12,7 @@
 #include <fstream>
 #include <thread>
 
-#include "io/model_file.h"
+#include "io/formats.h"
 #include "support/run_program.h"
 #include "tools/io/broken_files.h"
 
@@ -63,7 +63,7 @@ TEST(Faults, WhatIsNoFileIsNotRead) {
 TEST(Faults, APipeIsRead) {
   const ScratchFolder folder;
   EXPECT_EQ(shell("cat " + kBunny + " | " PCD_TO_MESH " - " + (folder / "mesh.ply")).status, 0);
-  EXPECT_GT(io::read_mesh(folder / "mesh.ply").triangles.size(), 0u);
+  EXPECT_GT(io::read_mesh(folder / "mesh.ply").polygons.size(), 0u);
 }
 
 TEST(Faults, MaxMemoryIsABound) {

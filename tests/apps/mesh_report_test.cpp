@@ -14,17 +14,17 @@
 #include <set>
 #include <sstream>
 
-#include "io/model_file.h"
+#include "io/formats.h"
 #include "report/report.h"
 #include "report/self_intersections.h"
 #include "report/surface_distance.h"
+#include "support/model.h"
 #include "support/run_program.h"
 #include "support/scratch_folder.h"
 
 namespace filmsticking::mesh_report {
 namespace {
 
-using io::Model;
 using test::Outcome;
 using test::ScratchFolder;
 
@@ -554,7 +554,7 @@ TEST(MeshReportProgram, WritesJson) {
   const ScratchFolder folder;
   for (const char* format : {".ply", ".obj", ".stl", ".vtk"}) {
     const std::string mesh = folder / (std::string("box") + format);
-    io::write_model(mesh, box());
+    io::write_mesh(mesh, box());
     const Outcome outcome = mesh_report({mesh, "--json"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
@@ -583,7 +583,7 @@ TEST(MeshReportProgram, WritesATable) {
   const ScratchFolder folder;
   Model open = box();
   open.triangles.resize(11);
-  io::write_model(folder / "open.ply", open);
+  io::write_mesh(folder / "open.ply", open);
   const Outcome outcome =
       mesh_report({folder / "open.ply", "--truth", folder / "open.ply", "--points", folder / "open.ply"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -605,7 +605,7 @@ TEST(MeshReportProgram, AMeshWithoutFacesHasAReport) {
   std::ofstream(folder / "none.ply") << "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\n"
                                         "property float y\nproperty float z\nend_header\n";
   for (const std::string& mesh : {folder / "none.ply", std::string(TEST_DATA "/bun0.pcd")}) {
-    io::write_model(folder / "box.ply", box());
+    io::write_mesh(folder / "box.ply", box());
     const Outcome outcome =
         mesh_report({mesh, "--json", "--truth", folder / "box.ply", "--points", folder / "box.ply"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -623,7 +623,7 @@ TEST(MeshReportProgram, AMeshWithoutFacesHasAReport) {
 TEST(MeshReportProgram, FailsInOneSentence) {
   const ScratchFolder folder;
   const std::string mesh = folder / "box.ply";
-  io::write_model(mesh, box());
+  io::write_mesh(mesh, box());
   std::ofstream(folder / "torn.ply") << "ply\nformat ascii 1.0\nelement vertex 9\n";
   std::ofstream(folder / "box.off") << "OFF\n";
   const std::vector<std::pair<int, std::vector<std::string>>> cases = {
@@ -663,9 +663,9 @@ TEST(MeshReportProgram, AgreesWithEvalmesh) {
   open.triangles.resize(2000);
   const Model shapes[] = {torus({0.01, 0, 0}), open, joined(torus(), torus({0.7, 0, 0.2})),
                           joined(box({-1, -1, -0.5}, {1, 1, 0}), box({-0.5, -0.5, -1}, {0.5, 0.5, 1}))};
-  io::write_model(folder / "truth.ply", torus());
+  io::write_mesh(folder / "truth.ply", torus());
   for (const Model& shape : shapes) {
-    io::write_model(folder / "mesh.ply", shape);
+    io::write_mesh(folder / "mesh.ply", shape);
     const Outcome ours = mesh_report(
         {folder / "mesh.ply", "--json", "--truth", folder / "truth.ply", "--points", folder / "truth.ply"});
     const Outcome theirs =

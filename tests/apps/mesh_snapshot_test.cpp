@@ -8,8 +8,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "io/model_file.h"
+#include "io/formats.h"
 #include "picture.h"
+#include "support/model.h"
 #include "support/run_program.h"
 #include "support/scratch_folder.h"
 
@@ -17,7 +18,6 @@ namespace filmsticking::test {
 namespace {
 
 namespace fs = std::filesystem;
-using io::Model;
 
 Outcome mesh_snapshot(const std::vector<std::string>& arguments) {
   return run_on_display(XVFB_RUN, MESH_SNAPSHOT, arguments);
@@ -33,7 +33,7 @@ class MeshSnapshot : public ::testing::Test {
 };
 
 TEST_F(MeshSnapshot, DrawsAClosedMeshWithoutRed) {
-  io::write_model(folder_ / "cube.ply", cube(false, false));
+  io::write_mesh(folder_ / "cube.ply", cube(false, false));
   const Outcome outcome = mesh_snapshot({folder_ / "cube.ply", "-o", folder_ / "cube.png"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const Pixels pixels = read_pixels(folder_ / "cube.png");
@@ -47,8 +47,8 @@ TEST_F(MeshSnapshot, DrawsAClosedMeshWithoutRed) {
 }
 
 TEST_F(MeshSnapshot, InsideOutIsRedAndHolesHaveRedEdges) {
-  io::write_model(folder_ / "turned.ply", cube(false, true));
-  io::write_model(folder_ / "open.obj", cube(true, false));
+  io::write_mesh(folder_ / "turned.ply", cube(false, true));
+  io::write_mesh(folder_ / "open.obj", cube(true, false));
   const Outcome outcome = mesh_snapshot({folder_ / "turned.ply", folder_ / "open.obj", "-o",
                                          folder_ / "two.png", "--size", "600x300", "--view", "30,-20"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -64,7 +64,7 @@ TEST_F(MeshSnapshot, InsideOutIsRedAndHolesHaveRedEdges) {
 }
 
 TEST_F(MeshSnapshot, BacksCanBeGreySoThatRedIsForHoles) {
-  io::write_model(folder_ / "turned.ply", cube(false, true));
+  io::write_mesh(folder_ / "turned.ply", cube(false, true));
   ASSERT_EQ(mesh_snapshot({folder_ / "turned.ply", "-o", folder_ / "turned.png", "--grey-backs"}).status, 0);
   const Pixels pixels = read_pixels(folder_ / "turned.png");
   EXPECT_EQ(pixels.red, 0);
@@ -72,7 +72,7 @@ TEST_F(MeshSnapshot, BacksCanBeGreySoThatRedIsForHoles) {
 }
 
 TEST_F(MeshSnapshot, TheInsideShowsThroughAHole) {
-  io::write_model(folder_ / "open.ply", cube(true, false));
+  io::write_mesh(folder_ / "open.ply", cube(true, false));
   ASSERT_EQ(mesh_snapshot({folder_ / "open.ply", "-o", folder_ / "open.png", "--view=30,60"}).status, 0);
   EXPECT_GT(read_pixels(folder_ / "open.png").red, 0.1);
 }
@@ -81,7 +81,7 @@ TEST_F(MeshSnapshot, EdgesWithThreeFacesAreViolet) {
   Model model = cube(false, false);
   model.positions.push_back({2, 2, 2});
   model.triangles.push_back({6, 7, 8});
-  io::write_model(folder_ / "fin.ply", model);
+  io::write_mesh(folder_ / "fin.ply", model);
   ASSERT_EQ(mesh_snapshot({folder_ / "fin.ply", "-o", folder_ / "fin.png"}).status, 0);
   EXPECT_GT(read_pixels(folder_ / "fin.png").violet, 0.0005);
 }
@@ -89,7 +89,7 @@ TEST_F(MeshSnapshot, EdgesWithThreeFacesAreViolet) {
 TEST_F(MeshSnapshot, EveryFormatGivesTheSamePicture) {
   std::vector<std::string> arguments;
   for (const char* name : {"cube.ply", "cube.obj", "cube.stl", "cube.vtk"}) {
-    io::write_model(folder_ / name, cube(false, false));
+    io::write_mesh(folder_ / name, cube(false, false));
     arguments.push_back(folder_ / name);
   }
   for (const char* word : {"--columns", "4", "--size", "800x200", "-o"}) arguments.push_back(word);
@@ -103,7 +103,7 @@ TEST_F(MeshSnapshot, EveryFormatGivesTheSamePicture) {
 }
 
 TEST_F(MeshSnapshot, PointsEdgesLabelsAndRowsAreDrawn) {
-  io::write_model(folder_ / "cube.ply", cube(false, false));
+  io::write_mesh(folder_ / "cube.ply", cube(false, false));
   const std::string mesh = folder_ / "cube.ply";
   const Outcome outcome =
       mesh_snapshot({mesh, mesh, mesh, "--points", TEST_DATA "/spot_10k.ply", "--edges", "--labels",
@@ -116,10 +116,10 @@ TEST_F(MeshSnapshot, PointsEdgesLabelsAndRowsAreDrawn) {
 }
 
 TEST_F(MeshSnapshot, FitSaysWhatSharesAScale) {
-  io::write_model(folder_ / "small.ply", cube(false, false));
+  io::write_mesh(folder_ / "small.ply", cube(false, false));
   Model large = cube(false, false);
   for (Point& p : large.positions) p = {10 * p[0], 10 * p[1], 10 * p[2]};
-  io::write_model(folder_ / "large.ply", large);
+  io::write_mesh(folder_ / "large.ply", large);
   const auto grey_of_small = [&](const std::string& fit, const std::string& columns) {
     const Outcome outcome =
         mesh_snapshot({folder_ / "small.ply", folder_ / "large.ply", "--fit", fit, "--columns", columns, "-o",
@@ -136,7 +136,7 @@ TEST_F(MeshSnapshot, FitSaysWhatSharesAScale) {
 }
 
 TEST_F(MeshSnapshot, ADashLeavesItsPlaceEmptyAndLabelsAreOwnTexts) {
-  io::write_model(folder_ / "cube.ply", cube(false, false));
+  io::write_mesh(folder_ / "cube.ply", cube(false, false));
   const std::vector<std::string> panels = {folder_ / "cube.ply", "-",      "-o",
                                            folder_ / "two.png",  "--size", "800x400"};
   ASSERT_EQ(mesh_snapshot(panels).status, 0);
@@ -153,7 +153,7 @@ TEST_F(MeshSnapshot, ADashLeavesItsPlaceEmptyAndLabelsAreOwnTexts) {
 TEST_F(MeshSnapshot, LargeCoordinatesAreDrawnSharp) {
   Model model = cube(false, false);
   for (Point& p : model.positions) p = {p[0] * 0.01 + 500000.1, p[1] * 0.01 + 4649776.7, p[2] * 0.01 + 123.4};
-  io::write_model(folder_ / "far.ply", model);
+  io::write_mesh(folder_ / "far.ply", model);
   ASSERT_EQ(mesh_snapshot({folder_ / "far.ply", "-o", folder_ / "far.png"}).status, 0);
   const Pixels pixels = read_pixels(folder_ / "far.png");
   EXPECT_GT(pixels.grey, 0.4);
@@ -183,8 +183,8 @@ int split_gif(const std::string& path, std::vector<Picture>& pictures) {
 TEST_F(MeshSnapshot, PaintsFacesByTheirDistanceToAReference) {
   Model raised = cube(false, false);
   for (const int top : {2, 3, 6, 7}) raised.positions[top][1] = 1.5;  // half a unit more
-  io::write_model(folder_ / "cube.ply", cube(false, false));
-  io::write_model(folder_ / "raised.ply", raised);
+  io::write_mesh(folder_ / "cube.ply", cube(false, false));
+  io::write_mesh(folder_ / "raised.ply", raised);
   const auto paint = [&](const std::string& mesh, const std::string& range) {
     const Outcome outcome =
         mesh_snapshot({folder_ / mesh, "--reference", folder_ / "cube.ply", "-o", folder_ / "painted.png",
@@ -201,7 +201,7 @@ TEST_F(MeshSnapshot, PaintsFacesByTheirDistanceToAReference) {
 }
 
 TEST_F(MeshSnapshot, PaintsPointsByTheirDistanceToTheMesh) {
-  io::write_model(folder_ / "cube.ply", cube(false, false));
+  io::write_mesh(folder_ / "cube.ply", cube(false, false));
   std::ofstream cloud(folder_ / "cloud.xyz");
   for (int i = 0; i < 40; ++i) cloud << i / 40.0 << " 1 0.2\n" << i / 40.0 << " 1.6 0.8\n";
   cloud.close();
@@ -222,7 +222,7 @@ TEST_F(MeshSnapshot, PaintsPointsByTheirDistanceToTheMesh) {
 }
 
 TEST_F(MeshSnapshot, ATurntableIsASequenceOrAGifOfTheSamePictures) {
-  io::write_model(folder_ / "open.ply", cube(true, false));
+  io::write_mesh(folder_ / "open.ply", cube(true, false));
   const std::vector<std::string> turn = {
       folder_ / "open.ply", "--turntable", "4", "--size", "200x200", "--view", "45,20", "--up", "z", "-o"};
   auto sequence = turn, animation = turn;
@@ -281,7 +281,7 @@ TEST_F(MeshSnapshot, PlaysTheFilmOfARealScan) {
 TEST_F(MeshSnapshot, ShowsTheColoursOfAFile) {
   Model model = cube(false, false);
   model.colours.assign(8, {30, 60, 220});
-  io::write_model(folder_ / "blue.ply", model);
+  io::write_mesh(folder_ / "blue.ply", model);
   ASSERT_EQ(mesh_snapshot({folder_ / "blue.ply", "-o", folder_ / "plain.png"}).status, 0);
   ASSERT_EQ(mesh_snapshot({folder_ / "blue.ply", "--colours", "-o", folder_ / "blue.png"}).status, 0);
   EXPECT_EQ(read_pixels(folder_ / "plain.png").blue, 0);
@@ -289,7 +289,7 @@ TEST_F(MeshSnapshot, ShowsTheColoursOfAFile) {
 }
 
 TEST_F(MeshSnapshot, FailsInOneSentence) {
-  io::write_model(folder_ / "cube.ply", cube(false, false));
+  io::write_mesh(folder_ / "cube.ply", cube(false, false));
   const std::string mesh = folder_ / "cube.ply", png = folder_ / "cube.png";
   const std::vector<std::pair<int, std::vector<std::string>>> cases = {
       {2, {}},
@@ -335,7 +335,7 @@ TEST_F(MeshSnapshot, FailsInOneSentence) {
 }
 
 TEST_F(MeshSnapshot, SaysThatItNeedsADisplay) {
-  io::write_model(folder_ / "cube.ply", cube(false, false));
+  io::write_mesh(folder_ / "cube.ply", cube(false, false));
   const Outcome outcome = run_program(
       {"/usr/bin/env", "-u", "DISPLAY", MESH_SNAPSHOT, folder_ / "cube.ply", "-o", folder_ / "cube.png"});
   EXPECT_EQ(outcome.status, 1);

@@ -5,11 +5,12 @@
 #include <cmath>
 #include <filesystem>
 
+#include "io/formats.h"
 #include "io/io_error.h"
-#include "io/model_file.h"
 #include "mesh_view/contents.h"
 #include "mesh_view/view_state.h"
 #include "picture.h"
+#include "support/model.h"
 
 namespace filmsticking::test {
 namespace {
@@ -97,7 +98,7 @@ TEST(ViewState, ColoursGoAround) {
 
 /// A cube, and one that is higher by a half.
 std::vector<scene::Step> two_cubes() {
-  io::Model higher = cube(false, false);
+  Model higher = cube(false, false);
   for (const int top : {2, 3, 6, 7}) higher.positions[top][1] = 1.5;
   return {{"low.ply", cube(false, false)}, {"high.ply", higher}};
 }
@@ -106,17 +107,17 @@ TEST(Contents, OffersWhatThereIs) {
   const std::vector<Paint> plain{Paint::Plain};
   EXPECT_EQ(Contents(two_cubes(), {}, {}, 0).scope().paints, plain);
   EXPECT_EQ(Contents(two_cubes(), {}, {}, 0).scope().films, 2u);
-  const io::Model cloud{{{0, 2, 0}}, {}, {}};
+  const pcl::PCLPointCloud2 cloud = io::make_cloud({{0, 2, 0}});
   EXPECT_EQ(Contents({}, cloud, {}, 0).scope().paints, plain);
   EXPECT_EQ(Contents(two_cubes(), cloud, cube(false, false), 0).scope().paints,
             (std::vector<Paint>{Paint::Plain, Paint::Faces, Paint::Points}));
-  const io::Model coloured{{{0, 2, 0}}, {{255, 0, 0}}, {}};
+  const pcl::PCLPointCloud2 coloured = io::make_cloud({{0, 2, 0}}, {{255, 0, 0}});
   EXPECT_EQ(Contents({}, coloured, {}, 0).scope().paints, (std::vector<Paint>{Paint::Plain, Paint::Colours}));
-  EXPECT_THROW(Contents(two_cubes(), {}, io::Model{}, 0), io::IoError);
+  EXPECT_THROW(Contents(two_cubes(), {}, Model{}, 0), io::IoError);
 }
 
 TEST(Contents, MeasuresTheFilmThatIsShown) {
-  Contents contents(two_cubes(), {{{0.5, 2, 0.5}}, {}, {}}, cube(false, false), 0);
+  Contents contents(two_cubes(), io::make_cloud({{0.5, 2, 0.5}}), cube(false, false), 0);
   const auto most = [](const scene::Values& values) {
     return *std::max_element(values.begin(), values.end());
   };
@@ -195,10 +196,10 @@ TEST_F(MeshView, StepsThroughTheFilmOfARealScan) {
 TEST_F(MeshView, PlaysToTheEndByItself) {
   fs::create_directory(folder_ / "steps");
   for (int i = 0; i < 3; ++i) {
-    io::Model film = cube(false, false);
+    Model film = cube(false, false);
     for (Point& p : film.positions)
       for (double& x : p) x *= 3 - i;
-    io::write_model(folder_ / ("steps/step_00" + std::to_string(i) + ".ply"), film);
+    io::write_mesh(folder_ / ("steps/step_00" + std::to_string(i) + ".ply"), film);
   }
   const std::vector<Picture> shots =
       view({"--steps", folder_ / "steps"}, "j End j Home space wait wait wait j q");
@@ -208,7 +209,7 @@ TEST_F(MeshView, PlaysToTheEndByItself) {
 }
 
 TEST_F(MeshView, HolesAreRedUntilTheyAreSwitchedOff) {
-  io::write_model(folder_ / "open.ply", cube(true, false));
+  io::write_mesh(folder_ / "open.ply", cube(true, false));
   // From below: neither the hole nor a back face is in sight, its edge is.
   const std::vector<Picture> shots = view({folder_ / "open.ply", "--view", "30,-20"}, "j b j w j b j h j q");
   ASSERT_EQ(shots.size(), 5u);
@@ -224,8 +225,8 @@ TEST_F(MeshView, HolesAreRedUntilTheyAreSwitchedOff) {
 
 TEST_F(MeshView, DistancesArePainted) {
   const std::vector<scene::Step> cubes = two_cubes();
-  io::write_model(folder_ / "low.ply", cubes[0].film);
-  io::write_model(folder_ / "high.ply", cubes[1].film);
+  io::write_mesh(folder_ / "low.ply", cubes[0].film);
+  io::write_mesh(folder_ / "high.ply", cubes[1].film);
   const std::vector<Picture> shots =
       view({folder_ / "high.ply", "--reference", folder_ / "low.ply", "--view", "0,90"}, "j c j c j q");
   ASSERT_EQ(shots.size(), 3u);
@@ -243,7 +244,7 @@ TEST_F(MeshView, ShowsARealCloudAlone) {
 }
 
 TEST_F(MeshView, AScreenshotThatCannotBeWrittenLeavesTheWindowOpen) {
-  io::write_model(folder_ / "cube.ply", cube(false, false));
+  io::write_mesh(folder_ / "cube.ply", cube(false, false));
   const Outcome outcome = run_on_display(
       XVFB_RUN, MESH_VIEW,
       {folder_ / "cube.ply", "--screenshot", folder_ / "no/such.png", "--press", "j q", "--size", "200x200"});
@@ -255,7 +256,7 @@ TEST_F(MeshView, AScreenshotThatCannotBeWrittenLeavesTheWindowOpen) {
 
 TEST(MeshViewProgram, FailsInOneSentence) {
   const ScratchFolder folder;
-  io::write_model(folder / "cube.ply", cube(false, false));
+  io::write_mesh(folder / "cube.ply", cube(false, false));
   const std::string mesh = folder / "cube.ply";
   const std::vector<std::pair<int, std::vector<std::string>>> cases = {
       {2, {}},

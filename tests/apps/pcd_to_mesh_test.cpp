@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // pcd_to_mesh as a user runs it, on real clouds.
 #include <gtest/gtest.h>
+#include <pcl/io/pcd_io.h>
 #include <vtkCell.h>
 #include <vtkDataArray.h>
 #include <vtkDataObjectTreeIterator.h>
@@ -25,9 +26,10 @@
 #include <sstream>
 #include <thread>
 
-#include "filters/model_filter.h"
+#include "filters/filter_chain.h"
 #include "io/files.h"
-#include "io/model_file.h"
+#include "io/formats.h"
+#include "support/model.h"
 #include "support/run_program.h"
 #include "support/scratch_folder.h"
 #include "support/surface_check.h"
@@ -36,7 +38,6 @@ namespace filmsticking::test {
 namespace {
 
 namespace fs = std::filesystem;
-using io::Model;
 
 const std::string kBunny = TEST_DATA "/bun0.pcd", kSpot = TEST_DATA "/spot_10k.ply";
 
@@ -109,8 +110,8 @@ TEST(PcdToMesh, MakesAMeshOfSpot) {
 TEST(PcdToMesh, ReadsEveryFormatToTheSameMesh) {
   const ScratchFolder folder;
   const Model cloud = io::read_cloud(kBunny);
-  io::write_model(folder / "cloud.ply", {cloud.positions, {}, {}});
-  io::write_model(folder / "cloud.obj", {cloud.positions, {}, {}});
+  io::write_mesh(folder / "cloud.ply", {cloud.positions, {}, {}});
+  io::write_mesh(folder / "cloud.obj", {cloud.positions, {}, {}});
   for (const char* name : {"cloud.xyz", "cloud.TXT"}) {
     std::ofstream text(folder / name);
     text.precision(17);
@@ -148,7 +149,7 @@ TEST(PcdToMesh, LargeDoubleCoordinatesAreKept) {
   const ScratchFolder folder;
   Model cloud = io::read_cloud(kBunny);
   for (Point& p : cloud.positions) p = {p[0] * 10 + 500000.1, p[1] * 10 + 4649776.7, p[2] * 10 + 123.4};
-  io::write_model(folder / "cloud.ply", cloud);
+  io::write_mesh(folder / "cloud.ply", cloud);
   for (const char* name : {"mesh.ply", "mesh.obj", "mesh.vtk"}) {
     const Outcome outcome = pcd_to_mesh({folder / "cloud.ply", folder / name});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -164,12 +165,112 @@ TEST(PcdToMesh, ColoursGoWithTheirPoints) {
     cloud.colours.push_back({static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i / 2), 77});
     colour_of[cloud.positions[i]] = cloud.colours.back();
   }
-  io::write_model(folder / "cloud.ply", cloud);
+  io::write_mesh(folder / "cloud.ply", cloud);
   ASSERT_EQ(pcd_to_mesh({folder / "cloud.ply", folder / "mesh.ply"}).status, 0);
   const Model mesh = io::read_mesh(folder / "mesh.ply");
   ASSERT_EQ(mesh.colours.size(), mesh.positions.size());
   for (std::size_t k = 0; k < mesh.positions.size(); ++k)
     EXPECT_EQ(mesh.colours[k], colour_of.at(mesh.positions[k]));
+}
+
+TEST(PcdToMesh, ColoursGoIntoEveryFormatThatHasThem) {
+  const ScratchFolder folder;
+  Model cloud = io::read_cloud(kBunny);
+  std::map<Point, io::Colour> colour_of;
+  for (std::size_t i = 0; i < cloud.positions.size(); ++i) {
+    cloud.colours.push_back({static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i / 2), 77});
+    colour_of[cloud.positions[i]] = cloud.colours.back();
+  }
+  io::write_mesh(folder / "cloud.ply", cloud);
+  for (const char* name : {"mesh.obj", "mesh.vtk"}) {
+    ASSERT_EQ(pcd_to_mesh({folder / "cloud.ply", folder / name}).status, 0);
+    const Model mesh = io::read_mesh(folder / name);
+    ASSERT_EQ(mesh.colours.size(), mesh.positions.size()) << name;
+    for (std::size_t k = 0; k < mesh.positions.size(); ++k)
+      EXPECT_EQ(mesh.colours[k], colour_of.at(mesh.positions[k])) << name;
+  }
+}
+
+/// The bunny with a normal, an intensity, a label and a field that nobody has heard of at every point.
+pcl::PCLPointCloud2 bunny_with_fields() {
+  using Type = pcl::PCLPointField;
+  const std::vector<Point> positions = io::positions_of(io::read_cloud(kBunny).points);
+  std::vector<pcl::PCLPointField> fields;
+  std::size_t step = 0;
+  const auto add = [&](const char* name, std::uint8_t type) {
+    fields.push_back(io::make_field(name, step, type));
+    step += io::size_of(io::Scalar{type});
+  };
+  for (const char* name : {"x", "y", "z", "normal_x", "normal_y", "normal_z", "intensity"})
+    add(name, Type::FLOAT32);
+  add("label", Type::UINT32);
+  add("gps_seconds", Type::FLOAT64);
+  add("ring", Type::UINT16);
+  pcl::PCLPointCloud2 cloud = io::make_rows(fields, step, positions.size());
+  const io::PositionFields places(cloud);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    std::uint8_t* point = &cloud.data[i * step];
+    places.store(positions[i], point);
+    const auto number = static_cast<float>(i);
+    const float values[4] = {0.1F * number, -0.2F, 1 / (number + 1), 0.3F * number};
+    const std::uint32_t label = 4000000000U + static_cast<std::uint32_t>(i);
+    const double seconds = 1.6e9 + 1e-6 * static_cast<double>(i);
+    const auto ring = static_cast<std::uint16_t>(60000 + i);
+    std::memcpy(point + 12, values, sizeof values);
+    std::memcpy(point + 28, &label, sizeof label);
+    std::memcpy(point + 32, &seconds, sizeof seconds);
+    std::memcpy(point + 40, &ring, sizeof ring);
+  }
+  return cloud;
+}
+
+/// Every vertex of the mesh has the fields of the input's point at its place, in type and value.
+void expect_fields_kept(const pcl::PCLPointCloud2& mesh, const pcl::PCLPointCloud2& cloud) {
+  std::map<Point, std::size_t> point_at;
+  const std::vector<Point> points = io::positions_of(cloud), vertices = io::positions_of(mesh);
+  for (std::size_t i = 0; i < points.size(); ++i) point_at[points[i]] = i;
+  EXPECT_GT(vertices.size(), 300u);
+  for (const pcl::PCLPointField& field : cloud.fields) {
+    const pcl::PCLPointField* kept = io::find_field(mesh, field.name.c_str());
+    ASSERT_NE(kept, nullptr) << field.name;
+    ASSERT_EQ(kept->datatype, field.datatype) << field.name;
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+      ASSERT_EQ(std::memcmp(io::bytes_of(mesh, k) + kept->offset,
+                            io::bytes_of(cloud, point_at.at(vertices[k])) + field.offset,
+                            io::size_of(io::Scalar{field.datatype})),
+                0)
+          << field.name << " of vertex " << k;
+  }
+}
+
+TEST(PcdToMesh, EveryFieldGoesWithItsPointFromPcdAndPlyToPly) {
+  const ScratchFolder folder;
+  const pcl::PCLPointCloud2 cloud = bunny_with_fields();
+  pcl::PCDWriter().writeBinary(folder / "cloud.pcd", cloud);
+  io::write_mesh(folder / "cloud.ply", cloud, {});
+  for (const char* name : {"cloud.pcd", "cloud.ply"}) {
+    SCOPED_TRACE(name);
+    const Outcome outcome = pcd_to_mesh({folder / name, folder / "mesh.ply"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    expect_fields_kept(io::read_mesh(folder / "mesh.ply").cloud, cloud);
+    // The names that PLY's readers know.
+    const std::string bytes = io::read_file(folder / "mesh.ply");
+    for (const char* property :
+         {"float nx", "float intensity", "uint label", "double gps_seconds", "ushort ring"})
+      EXPECT_NE(bytes.find(std::string("property ") + property + "\n"), std::string::npos) << property;
+  }
+}
+
+TEST(PcdToMesh, EveryFieldIsKeptBesideDoubleCoordinatesAndBehindFilters) {
+  const ScratchFolder folder;
+  const pcl::PCLPointCloud2 cloud = bunny_with_fields();
+  std::vector<Point> far = io::positions_of(cloud);
+  for (Point& p : far) p = {p[0] + 500000.1, p[1] + 4649776.7, p[2] + 123.4};
+  const pcl::PCLPointCloud2 moved = io::with_positions(cloud, far);
+  pcl::PCDWriter().writeBinary(folder / "cloud.pcd", moved);
+  const Outcome outcome = pcd_to_mesh({folder / "cloud.pcd", folder / "mesh.ply", "--sor", "16,3"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  expect_fields_kept(io::read_mesh(folder / "mesh.ply").cloud, moved);
 }
 
 TEST(PcdToMesh, TheMeshDoesNotDependOnTheThreads) {
@@ -318,7 +419,7 @@ TEST(PcdToMesh, BadInputsFailInOneSentence) {
 TEST(PcdToMesh, BadOutputsFailInOneSentence) {
   const ScratchFolder folder;
   fs::copy_file(kBunny, folder / "cloud.pcd");
-  io::write_model(folder / "cloud.ply", io::read_cloud(kBunny));
+  io::write_mesh(folder / "cloud.ply", io::read_cloud(kBunny));
   expect_failure({kBunny, folder / "mesh.foo"}, folder, 1);
   expect_failure({kBunny, folder / "mesh"}, folder, 1);
   expect_failure({kBunny, folder / "no/such/mesh.ply"}, folder, 1);
@@ -334,7 +435,7 @@ TEST(PcdToMesh, FiltersRunBeforeTheSurface) {
   set_filter(wanted, "crop", "-1,-1,0.5,1,1,2");
   set_filter(wanted, "sor", "16,2");
   set_filter(wanted, "voxel", "0.006");
-  const Model left = filters::filter(io::read_cloud(milk), wanted);
+  const Model left = filters::filter(io::read_cloud(milk).points, wanted);
   ASSERT_GT(left.positions.size(), 500u);
 
   const Outcome outcome =
@@ -357,15 +458,15 @@ TEST(PcdToMesh, FiltersRunBeforeTheSurface) {
 TEST(PcdToMesh, AViewpointIsThatOfAPcdFileOrGiven) {
   const ScratchFolder folder;
   const std::string milk = TEST_DATA "/milk.pcd";
-  io::Model bare = io::read_cloud(milk);
+  Model bare = io::read_cloud(milk);
   ASSERT_TRUE(bare.viewpoint);
-  io::write_model(folder / "milk.ply", bare);
+  io::write_mesh(folder / "milk.ply", bare);
   const auto mesh = [&](std::vector<std::string> words) {
     words.insert(words.begin() + 1, folder / "mesh.ply");
     words.insert(words.end(), {"--open", "--voxel", "0.004"});
     const Outcome outcome = pcd_to_mesh(words);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    return io::read_mesh(folder / "mesh.ply").triangles;
+    return Model(io::read_mesh(folder / "mesh.ply")).triangles;
   };
   EXPECT_EQ(mesh({folder / "milk.ply", "--viewpoint", "0,0,0"}), mesh({milk}));
   EXPECT_NE(mesh({folder / "milk.ply"}), mesh({milk}));
@@ -388,7 +489,7 @@ TEST(PcdToMesh, AnOpenScanKeepsItsBorder) {
   EXPECT_GT(report.get<int>("boundary_loops"), 0);
   // Edges of one face only, counted anew.
   std::map<std::pair<int, int>, int> faces_of;
-  for (const Triangle& t : io::read_mesh(folder / "mesh.ply").triangles)
+  for (const Triangle& t : Model(io::read_mesh(folder / "mesh.ply")).triangles)
     for (int k = 0; k < 3; ++k) ++faces_of[std::minmax(t[k], t[(k + 1) % 3])];
   int open = 0;
   for (const auto& [edge, faces] : faces_of) {
@@ -404,7 +505,7 @@ TEST(PcdToMesh, OutliersAreLeftOffUnlessKept) {
   cloud.positions.resize(3000);
   const Point stray{9, 9, 9};
   cloud.positions.push_back(stray);
-  io::write_model(folder / "cloud.ply", cloud);
+  io::write_mesh(folder / "cloud.ply", cloud);
   const Outcome outcome = pcd_to_mesh({folder / "cloud.ply", folder / "mesh.ply"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("1 outlier left off"), std::string::npos) << outcome.out;
@@ -453,8 +554,8 @@ TEST(PcdToMesh, StandardInputAndOutput) {
   ASSERT_EQ(pcd_to_mesh({kBunny, folder / "expected.ply"}).status, 0);
   const std::string expected = io::read_file(folder / "expected.ply");
   const Model cloud = io::read_cloud(kBunny);
-  io::write_model(folder / "cloud.ply", cloud);
-  io::write_model(folder / "cloud.obj", cloud);
+  io::write_mesh(folder / "cloud.ply", cloud);
+  io::write_mesh(folder / "cloud.obj", cloud);
   std::ofstream text(folder / "cloud.xyz");
   text.precision(17);
   for (const Point& p : cloud.positions) text << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
@@ -471,7 +572,8 @@ TEST(PcdToMesh, StandardInputAndOutput) {
   EXPECT_TRUE(through_shell(folder / "cloud.xyz", "--format txt").out == expected);
   const Outcome obj = through_shell(kBunny, "--to obj");
   io::write_file(folder / "piped.obj", obj.out);
-  EXPECT_EQ(io::read_mesh(folder / "piped.obj").triangles, io::read_mesh(folder / "expected.ply").triangles);
+  EXPECT_EQ(Model(io::read_mesh(folder / "piped.obj")).triangles,
+            Model(io::read_mesh(folder / "expected.ply")).triangles);
 
   std::ofstream(folder / "noise") << "what is this";
   for (const std::string& file : {std::string("/dev/null"), folder / "noise"}) {
@@ -498,7 +600,7 @@ TEST(PcdToMesh, ColoursAreInGltfAsAnotherReaderSeesIt) {
   cloud.positions.resize(3000);
   for (std::size_t i = 0; i < cloud.positions.size(); ++i)
     cloud.colours.push_back({static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i / 20), 77});
-  io::write_model(folder / "cloud.ply", cloud);
+  io::write_mesh(folder / "cloud.ply", cloud);
   ASSERT_EQ(pcd_to_mesh({folder / "cloud.ply", folder / "mesh.ply"}).status, 0);
   ASSERT_EQ(pcd_to_mesh({folder / "cloud.ply", folder / "mesh.glb"}).status, 0);
   const Model expected = io::read_mesh(folder / "mesh.ply");
@@ -534,7 +636,7 @@ TEST(PcdToMesh, GltfOfLargeCoordinatesKeepsTheShape) {
   const ScratchFolder folder;
   Model cloud = io::read_cloud(kBunny);
   for (Point& p : cloud.positions) p = {p[0] + 500000.1, p[1] + 4649776.7, p[2] + 123.4};
-  io::write_model(folder / "cloud.ply", cloud);
+  io::write_mesh(folder / "cloud.ply", cloud);
   ASSERT_EQ(pcd_to_mesh({folder / "cloud.ply", folder / "mesh.ply"}).status, 0);
   ASSERT_EQ(pcd_to_mesh({folder / "cloud.ply", folder / "mesh.glb"}).status, 0);
   const Model expected = io::read_mesh(folder / "mesh.ply");
@@ -587,7 +689,7 @@ TEST(PcdToMesh, InterruptionEndsItCleanly) {
     cloud.positions.push_back(p);
   }
   const ScratchFolder folder;
-  io::write_model(folder / "cloud.ply", cloud);
+  io::write_mesh(folder / "cloud.ply", cloud);
   const fs::path steps = folder / "steps";
   const Outcome outcome = pcd_to_mesh(
       {folder / "cloud.ply", folder / "mesh.ply", "--dump-steps", steps.string()}, [&](pid_t program) {

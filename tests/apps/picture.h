@@ -12,15 +12,15 @@
 #include <utility>
 #include <vector>
 
-#include "io/model.h"
+#include "support/model.h"
 #include "support/run_program.h"
 #include "support/scratch_folder.h"
 
 namespace filmsticking::test {
 
 /// A cube; `hole` leaves one side out, `inside_out` turns its faces.
-inline io::Model cube(bool hole, bool inside_out) {
-  io::Model model;
+inline Model cube(bool hole, bool inside_out) {
+  Model model;
   for (int i = 0; i < 8; ++i)
     model.positions.push_back({double(i & 1), double(i >> 1 & 1), double(i >> 2 & 1)});
   model.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},

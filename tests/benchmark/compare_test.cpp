@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "compare/csv.h"
-#include "io/model_file.h"
+#include "io/formats.h"
 #include "support/run_program.h"
 #include "support/scratch_folder.h"
 
@@ -225,7 +225,7 @@ TEST(Compare, SampleWritesTheCloud) {
             .status,
         0);
   EXPECT_EQ(read_text(folder / "a.ply"), read_text(folder / "b.ply"));
-  EXPECT_EQ(io::read_cloud(folder / "a.ply").positions.size(), 1000U);
+  EXPECT_EQ(io::size_of(io::read_cloud(folder / "a.ply").points), 1000U);
 }
 
 TEST(Compare, Sheet) {

@@ -9,20 +9,19 @@
 #include <cstring>
 #include <string_view>
 
-#include "io/format.h"
+#include "io/codecs.h"
+#include "io/formats.h"
 #include "io/io_error.h"
-#include "io/pcd.h"
+#include "io/strict_pcd.h"
 #include "stream/capture_error.h"
 #include "stream/frame_points.h"
 #include "stream/frame_source.h"
-#include "stream/strict_pcd.h"
 #include "stream/trajectory.h"
+#include "support/model.h"
 #include "target.h"
 
 namespace filmsticking::test {
 namespace {
-
-using io::Model;
 
 std::string fault_of(const Model& model, std::size_t bytes) {
   if (model.positions.size() > bytes) return "more points than bytes";
@@ -47,36 +46,37 @@ bool same(const std::vector<Point>& a, const std::vector<Point>& b) {
 }
 
 /// What was read is written and read again.
-std::string round_trip_fault(const Model& model) {
+std::string round_trip_fault(const pcl::PolygonMesh& mesh) {
+  const Model model = mesh;
   for (const char* format : {"ply", "obj", "vtk"}) {
-    const Model again = io::decode_cloud(format, io::encode_model(format, model));
+    const Model again = io::decode_mesh(format, io::encode_mesh(format, mesh));
     if (!same(again.positions, model.positions)) return "points change on their way through a file";
     if (again.triangles != model.triangles) return "triangles change on their way through a file";
-    if (again.colours != model.colours && !model.positions.empty())
+    if (!model.colours.empty() && again.colours != model.colours)
       return "colours change on their way through a file";
   }
   for (const char* format : {"stl", "glb"}) try {
-      io::encode_model(format, model);
+      io::encode_mesh(format, mesh);
     } catch (const io::IoError&) {  // glTF has no such number, or there are no triangles
     }
   return "";
 }
 
 void read_as(const std::string& format, std::string_view bytes) {
-  Model model;
+  pcl::PolygonMesh mesh;
   try {
-    model = io::decode_cloud(format, bytes);
+    mesh = io::decode_mesh(format, bytes);
   } catch (const io::IoError&) {
     return;
   }
-  require_no_fault(fault_of(model, bytes.size()));
-  require_no_fault(round_trip_fault(model));
+  require_no_fault(fault_of(mesh, bytes.size()));
+  require_no_fault(round_trip_fault(mesh));
 }
 
 /// A frame of a capture, which goes through PCL's reader if it is a strict PCD file.
 void read_as_frame(std::string_view bytes) {
   try {
-    capture::check_pcd(bytes);
+    io::check_pcd(bytes);
     io::decode_pcd(bytes);
   } catch (const std::runtime_error&) {
     return;

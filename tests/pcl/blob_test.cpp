@@ -6,9 +6,11 @@
 #include <pcl/surface/filmsticking_pp.h>
 
 #include <array>
+#include <atomic>
 #include <cstring>
 
 #include "clouds.h"
+#include "filmsticking/reconstruct.h"
 
 namespace filmsticking::test {
 namespace {
@@ -149,6 +151,110 @@ TEST(Blob, IsReadWhereverItsCoordinatesLie) {
     for (std::size_t k = 0; k < points.size(); ++k)
       EXPECT_EQ(points[k].getVector3fMap(), expected_points[k].getVector3fMap());
   }
+}
+
+/// The blob with x, y, z of type FLOAT64 behind its other fields, moved far away.
+PCLPointCloud2::Ptr with_doubles(const PCLPointCloud2& blob, const std::array<std::size_t, 3>& places) {
+  PCLPointCloud2::Ptr far(new PCLPointCloud2(blob));
+  far->point_step = 64;
+  far->row_step = 64 * blob.width + 8;
+  far->data.assign(std::size_t{far->row_step} * blob.height, 0);
+  const double shift[3] = {500000.1, 4649776.7, 123.4};
+  const std::size_t from[3] = {kX, kY, kZ};
+  for (std::size_t i = 0; i < std::size_t{blob.width} * blob.height; ++i) {
+    write(*far, i, kRing, read<std::uint16_t>(blob, i, kRing));
+    for (std::size_t k = 0; k < 3; ++k)
+      write(*far, i, places[k], shift[k] + double{read<float>(blob, i, from[k])});
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    far->fields[1 + k].datatype = PCLPointField::FLOAT64;
+    far->fields[1 + k].offset = static_cast<pcl::uindex_t>(places[k]);
+  }
+  return far;
+}
+
+TEST(Blob, DoubleCoordinatesAreReadAndKeptWithAllTheirDigits) {
+  const auto blob = make_blob(20, 10);
+  for (const std::array<std::size_t, 3>& places :
+       {std::array<std::size_t, 3>{32, 40, 48}, {48, 32, 40}, {29, 41, 53}}) {
+    const auto far = with_doubles(*blob, places);
+    std::vector<filmsticking::Point> positions;
+    for (std::size_t i = 0; i < 200; ++i)
+      positions.push_back({read<double>(*far, i, places[0]), read<double>(*far, i, places[1]),
+                           read<double>(*far, i, places[2])});
+    Class filmsticking;
+    filmsticking.setInputBlob(far);
+    filmsticking.useNoViewPoint();
+    pcl::PCLPointCloud2 vertices;
+    std::vector<filmsticking::Triangle> triangles;
+    filmsticking.reconstruct(vertices, triangles);
+    ASSERT_EQ(filmsticking.getStatus(), Status::Ok) << filmsticking.getStatusMessage();
+    EXPECT_EQ(triangles, filmsticking::reconstruct(positions).triangles);
+    ASSERT_EQ(vertices.width, 200u);
+    EXPECT_EQ(vertices.fields[1].datatype, PCLPointField::FLOAT64);
+    for (std::size_t k = 0; k < 200; ++k) {
+      const auto id = static_cast<std::size_t>(filmsticking.getVertexIndices()[k]);
+      for (int axis = 0; axis < 3; ++axis)
+        EXPECT_EQ(read<double>(vertices, k, places[axis]), positions[id][axis]);
+      EXPECT_EQ(read<std::uint16_t>(vertices, k, kRing), 3 * id);
+    }
+    // PCL's point types round them.
+    pcl::PointCloud<PointXYZ> points;
+    std::vector<pcl::Vertices> polygons;
+    filmsticking.reconstruct(points, polygons);
+    ASSERT_EQ(polygons.size(), triangles.size());
+    for (std::size_t k = 0; k < points.size(); ++k)
+      EXPECT_EQ(points[k].y, static_cast<float>(
+                                 positions[static_cast<std::size_t>(filmsticking.getVertexIndices()[k])][1]));
+  }
+}
+
+TEST(Blob, TrianglesAreThoseOfThePolygonMesh) {
+  Class filmsticking;
+  filmsticking.setInputBlob(make_blob(20, 10));
+  pcl::PolygonMesh mesh;
+  filmsticking.reconstruct(mesh);
+  pcl::PCLPointCloud2 vertices;
+  std::vector<filmsticking::Triangle> triangles;
+  filmsticking.reconstruct(vertices, triangles);
+  EXPECT_EQ(vertices.data, mesh.cloud.data);
+  ASSERT_EQ(triangles.size(), mesh.polygons.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    EXPECT_EQ(mesh.polygons[t].vertices, pcl::Indices(triangles[t].begin(), triangles[t].end()));
+
+  filmsticking.setInputBlob(nullptr);
+  ::testing::internal::CaptureStderr();
+  filmsticking.reconstruct(vertices, triangles);
+  ::testing::internal::GetCapturedStderr();
+  EXPECT_EQ(filmsticking.getStatus(), Status::InvalidInput);
+  EXPECT_TRUE(triangles.empty());
+  EXPECT_TRUE(vertices.data.empty());
+}
+
+TEST(Blob, AFlagOfTheCallersStopsItAndEveryStepIsShown) {
+  Class filmsticking;
+  filmsticking.setInputBlob(make_blob(20, 10));
+  filmsticking.setFilmStart(Class::FilmStart::Sphere);
+  int steps = 0;
+  filmsticking.setStepCallback([&steps](int step, const filmsticking::Mesh& film) {
+    EXPECT_EQ(step, steps++);
+    EXPECT_FALSE(film.triangles.empty());
+  });
+  pcl::PolygonMesh mesh;
+  filmsticking.reconstruct(mesh);
+  EXPECT_EQ(filmsticking.getStatus(), Status::Ok);
+  EXPECT_GT(steps, 1);
+
+  const std::atomic<bool> stop{true};
+  filmsticking.setCancelFlag(&stop);
+  ::testing::internal::CaptureStderr();
+  filmsticking.reconstruct(mesh);
+  ::testing::internal::GetCapturedStderr();
+  EXPECT_EQ(filmsticking.getStatus(), Status::Cancelled);
+  filmsticking.setCancelFlag(nullptr);
+  steps = 0;
+  filmsticking.reconstruct(mesh);
+  EXPECT_EQ(filmsticking.getStatus(), Status::Ok);
 }
 
 TEST(Blob, ACloudSetLaterTakesItsPlace) {

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,9 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   /** \brief Receives the fraction done, from 0 to 1, and the current stage. */
   using ProgressCallback = std::function<void(double share, const char* stage)>;
 
+  /** \brief Receives the film after a step (0: the initial surface), in the input's coordinates. */
+  using StepCallback = std::function<void(int step, const filmsticking::Mesh& film)>;
+
   using SurfaceReconstruction<PointInT>::input_;
   using SurfaceReconstruction<PointInT>::indices_;
 
@@ -93,8 +97,9 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
    *
    * reconstruct(pcl::PolygonMesh&) then copies the bytes of every vertex and the layout of the fields from
    * the blob; the other reconstruct() converts the vertices as pcl::fromPCLPointCloud2() does. The blob is
-   * read where it lies and must not change meanwhile; getInputCloud() is null. \param[in] blob points with
-   * fields x, y and z of type FLOAT32; another kind is refused by reconstruct()
+   * read where it lies and must not change meanwhile; getInputCloud() is null.
+   * \param[in] blob points with fields x, y and z, all FLOAT32 or all FLOAT64; another kind is refused by
+   * reconstruct(). FLOAT64 is read with all its digits
    */
   void setInputBlob(const pcl::PCLPointCloud2::ConstPtr& blob);
 
@@ -129,15 +134,30 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
    */
   void reconstruct(pcl::PointCloud<PointInT>& points, std::vector<pcl::Vertices>& polygons) override;
 
+  /** \brief Reconstruct the surface through the points given by setInputCloud() or setInputBlob(), and
+   * setIndices(). As reconstruct(pcl::PolygonMesh&), without a heap block for every triangle.
+   * \param[out] vertices the vertices with all their fields, unorganized and dense; empty on failure
+   * \param[out] triangles indices into \a vertices; empty on failure
+   */
+  void reconstruct(pcl::PCLPointCloud2& vertices, std::vector<filmsticking::Triangle>& triangles);
+
   /** \brief Set a function that reconstruct() calls from its own thread with the fraction done, 0 to 1 and
    * never falling, and the current stage.
    */
   void setProgressCallback(const ProgressCallback& callback) { progress_callback_ = callback; }
 
+  /** \brief Set a function that reconstruct() calls with the film after every step. */
+  void setStepCallback(const StepCallback& callback) { step_callback_ = callback; }
+
   /** \brief Stop the running reconstruction, from any thread: it ends soon with Status::Cancelled. No effect
-   * if none is running.
+   * if none is running. See setCancelFlag().
    */
   void cancel() { cancel_.raised = true; }
+
+  /** \brief Listen to a flag of the caller's in place of cancel(), as a signal handler may set it.
+   * \param[in] flag must outlive the reconstruction; null stands for cancel()
+   */
+  void setCancelFlag(const std::atomic<bool>* flag) { cancel_flag_ = flag; }
 
   /** \brief How the last reconstruct() ended; InternalError before the first. */
   Status getStatus() const { return status_; }
@@ -182,13 +202,22 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
    */
   void setViewPoint(float vpx, float vpy, float vpz) { options_.viewpoint = {vpx, vpy, vpz}; }
 
+  /** \brief Use no viewpoint: nothing is known of the sensor. */
+  void useNoViewPoint() {
+    options_.viewpoint.reset();
+    try_sensor_origin_ = false;
+  }
+
   /** \brief Use the sensor origin of the input cloud as the viewpoint, the default; a blob's is the origin of
    * its frame. */
-  void useSensorOriginAsViewPoint() { options_.viewpoint.reset(); }
+  void useSensorOriginAsViewPoint() {
+    options_.viewpoint.reset();
+    try_sensor_origin_ = true;
+  }
 
-  /** \brief Get the viewpoint. */
+  /** \brief Get the viewpoint; zeros if there is none. */
   void getViewPoint(float& vpx, float& vpy, float& vpz) const {
-    const filmsticking::Point point = viewPoint();
+    const filmsticking::Point point = viewPoint().value_or(filmsticking::Point{});
     vpx = static_cast<float>(point[0]), vpy = static_cast<float>(point[1]),
     vpz = static_cast<float>(point[2]);
   }
@@ -367,20 +396,27 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   /** \brief Prepare the indices; false, with the status set, if the input cannot be used. */
   bool checkInput();
 
-  /** \brief Fill \a polygons and the results that the getters return; false, with the status set, if there is
-   * no surface.
+  /** \brief Fill \a triangles and the results that the getters return; false, with the status set, if
+   * there is no surface.
    */
-  bool computeTriangles(std::vector<pcl::Vertices>& polygons);
+  bool computeTriangles(std::vector<filmsticking::Triangle>& triangles);
+
+  /** \brief The same for \a polygons. */
+  bool computePolygons(std::vector<pcl::Vertices>& polygons);
+
+  /** \brief Copy the vertices of the last result with all their fields. */
+  void copyVertices(pcl::PCLPointCloud2& vertices) const;
 
   /** \brief The result for the indexed points, which are read in place if x, y and z are consecutive floats.
    */
   filmsticking::Result computeResult(const filmsticking::Execution& execution) const;
 
-  /** \brief The same for the points of the blob. */
+  /** \brief The same for the points of the blob, whose x, y and z are of type \a Real. */
+  template <typename Real>
   filmsticking::Result computeResultOfBlob(const filmsticking::Execution& execution) const;
 
-  /** \brief The viewpoint of the options, else the sensor origin of the cloud. */
-  filmsticking::Point viewPoint() const;
+  /** \brief The viewpoint of the options, else the sensor origin of the cloud unless useNoViewPoint(). */
+  std::optional<filmsticking::Point> viewPoint() const;
 
   /** \brief The header of the blob or cloud; empty without input. */
   pcl::PCLHeader inputHeader() const;
@@ -392,8 +428,11 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   std::string indices_fault_;  // why a window is refused; empty: it is not
 
   Options options_;
+  bool try_sensor_origin_ = true;
   ProgressCallback progress_callback_;
+  StepCallback step_callback_;
   CancelFlag cancel_;
+  const std::atomic<bool>* cancel_flag_ = nullptr;
 
   Status status_ = Status::InternalError;
   std::string status_message_;

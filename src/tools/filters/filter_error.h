@@ -5,7 +5,7 @@
 
 namespace filmsticking::filters {
 
-/// A filter that is asked for what it cannot do; what() is a clause for the user.
+/// An impossible request to a filter; what() is a clause for the user.
 struct FilterError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -23,7 +23,8 @@ struct OutlierRule {
   double deviations = 3;
 };
 
-/// The filters that run, in this order; those without a value do not. Lengths are in the cloud's unit.
+/// The filters in the order in which they run; one without a value does not run. Lengths are in the cloud's
+/// unit.
 struct FilterOptions {
   std::optional<Box> crop;              ///< keep the points in a box
   std::optional<OutlierRule> outliers;  ///< leave outliers out
@@ -42,15 +43,14 @@ std::vector<double> parse_numbers(const std::string& text);
 /// One filter as a program's option.
 struct FilterChoice {
   const char* name;   ///< "voxel": without dashes
-  const char* value;  ///< what its text looks like: "LEAF"
+  const char* value;  ///< the form of its text: "LEAF"
   const char* help;
 };
 
 /// All filters in the order in which they run: crop, sor, voxel, mls.
 const std::vector<FilterChoice>& filter_choices();
 
-/// Switches the filter of that name on, as `text` says. Throws FilterError for a name or a text that makes no
-/// sense.
+/// Sets the filter of that name by `text`. Throws FilterError for an unknown name or a bad text.
 void set_filter(FilterOptions& options, const std::string& name, const std::string& text);
 
 }  // namespace filmsticking::filters

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "filter_options.h"
+#include "filter_chain.h"
 #include "io/model.h"
 
 namespace filmsticking::filters {
 
-/// Runs the chosen filters on the points of a model and drops its triangles; without any, gives it back as it
-/// is. Points that `crop` and `sor` keep have the very value that they had, in double precision; so large
-/// coordinates lose nothing. Throws FilterError as the filter of clouds does.
-io::Model filter(const io::Model& model, const FilterOptions& options);
+/// The filter of clouds for the former type of clouds; drops its triangles.
+inline io::Model filter(const io::Model& model, const FilterOptions& options) {
+  check(options);
+  if (!options.any()) return model;
+  return io::Cloud{filter(io::make_cloud(model.positions, model.colours), options), model.viewpoint};
+}
 
 }  // namespace filmsticking::filters

@@ -3,19 +3,21 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 
 #include "steps.h"
 
 namespace filmsticking::filters {
 
-pcl::PCLPointCloud2 without_outliers(const pcl::PCLPointCloud2& cloud, const OutlierRule& rule) {
+std::vector<int> inliers(const pcl::PCLPointCloud2& cloud, const OutlierRule& rule) {
+  std::vector<int> kept(cloud.width);
+  std::iota(kept.begin(), kept.end(), 0);
   const auto others = static_cast<int>(cloud.width) - 1;
-  if (others < 1) return cloud;  // nothing to compare with
+  if (others < 1) return kept;  // nothing to compare with
   pcl::StatisticalOutlierRemoval<pcl::PCLPointCloud2> filter;
   filter.setInputCloud(std::make_shared<pcl::PCLPointCloud2>(cloud));
   filter.setMeanK(std::min(rule.neighbours, others));  // PCL reads past its neighbours otherwise
   filter.setStddevMulThresh(rule.deviations);
-  pcl::PCLPointCloud2 kept;
   filter.filter(kept);
   return kept;
 }

@@ -1,33 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The former type of io::PositionFields.
 #pragma once
 
-#include <pcl/PCLPointCloud2.h>
-
 #include <array>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
+
+#include "io/cloud.h"
 
 namespace filmsticking::filters {
 
-/// Where x, y and z are in the bytes of a point.
-class PositionFields {
+class PositionFields : public io::PositionFields {
  public:
-  /// Throws FilterError unless x, y, z are there, of single precision, and within a point's bytes.
-  explicit PositionFields(const pcl::PCLPointCloud2& cloud);
+  using io::PositionFields::PositionFields;
 
   std::array<float, 3> load(const std::uint8_t* point) const {
-    std::array<float, 3> position;
-    for (int axis = 0; axis < 3; ++axis) std::memcpy(&position[axis], point + offsets_[axis], sizeof(float));
-    return position;
+    const Point p = io::PositionFields::load(point);
+    return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
   }
-
-  void store(const std::array<float, 3>& position, std::uint8_t* point) const {
-    for (int axis = 0; axis < 3; ++axis) std::memcpy(point + offsets_[axis], &position[axis], sizeof(float));
-  }
-
- private:
-  std::array<std::size_t, 3> offsets_{};
 };
 
 }  // namespace filmsticking::filters

@@ -6,19 +6,19 @@
 
 #include <cmath>
 
-#include "position_fields.h"
+#include "io/cloud.h"
 #include "steps.h"
 
 namespace filmsticking::filters {
 
 pcl::PCLPointCloud2 smoothed(const pcl::PCLPointCloud2& cloud, double radius) {
   using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-  const PositionFields fields(cloud);
+  const io::PositionFields fields(cloud);
   const std::size_t step = cloud.point_step;
   Cloud::Ptr points(new Cloud);
   for (std::size_t i = 0; i < cloud.width; ++i) {
-    const std::array<float, 3> p = fields.load(cloud.data.data() + i * step);
-    points->push_back({p[0], p[1], p[2]});
+    const Point p = fields.load(cloud.data.data() + i * step);
+    points->push_back({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
   }
   pcl::PCLPointCloud2 result = cloud;
   result.data.clear();

@@ -2,11 +2,13 @@
 #include <pcl/filters/voxel_grid.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <memory>
 
-#include "position_fields.h"
+#include "io/cloud.h"
 #include "steps.h"
 
 namespace filmsticking::filters {
@@ -53,15 +55,15 @@ pcl::PCLPointCloud2 fields_with_mean(const pcl::PCLPointCloud2& cloud) {
 /// PCL numbers the cells by an int, each axis too, and does nothing where they do not suffice.
 void check_cells(const pcl::PCLPointCloud2& cloud, double leaf) {
   constexpr double kMost = std::numeric_limits<int>::max() - 64.0;
-  const PositionFields fields(cloud);
+  const io::PositionFields fields(cloud);
   std::array<double, 3> least, most;
   least.fill(std::numeric_limits<double>::infinity());
   most.fill(-std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < cloud.width; ++i) {
-    const std::array<float, 3> p = fields.load(cloud.data.data() + i * cloud.point_step);
+    const Point p = fields.load(cloud.data.data() + i * cloud.point_step);
     for (int axis = 0; axis < 3; ++axis) {
-      least[axis] = std::min<double>(least[axis], p[axis]);
-      most[axis] = std::max<double>(most[axis], p[axis]);
+      least[axis] = std::min(least[axis], p[axis]);
+      most[axis] = std::max(most[axis], p[axis]);
     }
   }
   double cells = 1;

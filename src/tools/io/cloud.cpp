@@ -2,44 +2,37 @@
 #include "cloud.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
-#include <string>
+#include <utility>
 
-#include "float_exact.h"
+#include "bytes.h"
 #include "io_error.h"
 
 namespace filmsticking::io {
 namespace {
 
-template <class T>
-T load_at(const std::uint8_t* bytes) {
-  T value;
-  std::memcpy(&value, bytes, sizeof value);
-  return value;
-}
+constexpr const char* kAxes[3] = {"x", "y", "z"};
 
-const std::uint8_t* bytes_of(const pcl::PCLPointCloud2& cloud, std::size_t point) {
-  const std::size_t row = point / cloud.width, column = point % cloud.width;
-  return cloud.data.data() + row * cloud.row_step + column * cloud.point_step;
-}
-
-/// Refuses a cloud whose points do not lie within its bytes.
+/// Refuses a cloud whose fields do not lie within a point, or whose points do not lie within its bytes.
 void check_bytes(const pcl::PCLPointCloud2& cloud) {
+  for (const pcl::PCLPointField& field : cloud.fields)
+    if (field.offset + std::uint64_t{size_of(Scalar{field.datatype})} * std::max(1U, field.count) >
+        cloud.point_step)
+      throw IoError("the cloud's field " + field.name + " is not within a point");
   const std::uint64_t row = std::uint64_t{cloud.width} * cloud.point_step;
-  const bool whole = row == 0 || cloud.height == 0 ||
-                     (cloud.row_step >= row &&
-                      std::uint64_t{cloud.row_step} * (cloud.height - 1) + row <= cloud.data.size());
+  const std::uint64_t step = cloud.height > 1 ? cloud.row_step : row;  // one row may leave its step out
+  const bool whole =
+      row == 0 || cloud.height == 0 || (step >= row && step * (cloud.height - 1) + row <= cloud.data.size());
   if (!whole) throw IoError("the cloud has fewer bytes than its header says");
 }
 
-pcl::PCLPointField make_field(const char* name, std::size_t offset, std::uint8_t type) {
-  pcl::PCLPointField field;
-  field.name = name;
-  field.offset = static_cast<std::uint32_t>(offset);
-  field.datatype = type;
-  field.count = 1;
-  return field;
+bool float_exact(const Point& p) {
+  return std::all_of(p.begin(), p.end(), [](double x) {
+    // A finite value past the range of float must not be cast.
+    return std::isnan(x) || std::isinf(x) || (std::abs(x) < 3e38 && static_cast<float>(x) == x);
+  });
 }
 
 }  // namespace
@@ -52,27 +45,50 @@ const pcl::PCLPointField* find_field(const pcl::PCLPointCloud2& cloud, const cha
   return found == cloud.fields.end() ? nullptr : &*found;
 }
 
-std::vector<Point> positions_of(const pcl::PCLPointCloud2& cloud) {
+const std::uint8_t* bytes_of(const pcl::PCLPointCloud2& cloud, std::size_t point) {
+  if (cloud.height == 1) return cloud.data.data() + point * cloud.point_step;
+  const std::size_t row = point / cloud.width, column = point % cloud.width;
+  return cloud.data.data() + row * cloud.row_step + column * cloud.point_step;
+}
+
+PositionFields::PositionFields(const pcl::PCLPointCloud2& cloud) {
   check_bytes(cloud);
-  const pcl::PCLPointField* axes[3];
-  const char* const names[3] = {"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis) {
-    axes[axis] = find_field(cloud, names[axis]);
-    const bool single = axes[axis] && axes[axis]->datatype == pcl::PCLPointField::FLOAT32;
-    if (!single && !(axes[axis] && axes[axis]->datatype == pcl::PCLPointField::FLOAT64))
-      throw IoError(std::string("the cloud has no field ") + names[axis] + " of type FLOAT32 or FLOAT64");
-    if (std::uint64_t{axes[axis]->offset} + (single ? 4 : 8) > cloud.point_step)
-      throw IoError(std::string("the cloud's field ") + names[axis] + " is not within a point");
+    const pcl::PCLPointField* field = find_field(cloud, kAxes[axis]);
+    const bool single = field && field->datatype == pcl::PCLPointField::FLOAT32;
+    if (!single && !(field && field->datatype == pcl::PCLPointField::FLOAT64))
+      throw IoError(std::string("the cloud has no field ") + kAxes[axis] + " of type FLOAT32 or FLOAT64");
+    if (axis > 0 && single != single_) throw IoError("the cloud's x, y and z are not of one type");
+    single_ = single;
+    offsets_[axis] = field->offset;
   }
-  std::vector<Point> positions(size_of(cloud));
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const std::uint8_t* point = bytes_of(cloud, i);
-    for (int axis = 0; axis < 3; ++axis) {
-      const std::uint8_t* value = point + axes[axis]->offset;
-      positions[i][axis] = axes[axis]->datatype == pcl::PCLPointField::FLOAT32 ? double{load_at<float>(value)}
-                                                                               : load_at<double>(value);
+}
+
+Point PositionFields::load(const std::uint8_t* point) const {
+  Point position;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::uint8_t* value = point + offsets_[axis];
+    position[axis] = single_ ? double{io::load<float>(value)} : io::load<double>(value);
+  }
+  return position;
+}
+
+void PositionFields::store(const Point& position, std::uint8_t* point) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    const float rounded = single_ ? static_cast<float>(position[axis]) : 0;
+    if (single_) {
+      std::memcpy(point + offsets_[axis], &rounded, sizeof rounded);
+    } else {
+      std::memcpy(point + offsets_[axis], &position[axis], sizeof position[axis]);
     }
   }
+}
+
+std::vector<Point> positions_of(const pcl::PCLPointCloud2& cloud) {
+  if (size_of(cloud) == 0) return {};
+  const PositionFields fields(cloud);
+  std::vector<Point> positions(size_of(cloud));
+  for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = fields.load(bytes_of(cloud, i));
   return positions;
 }
 
@@ -80,7 +96,7 @@ std::vector<Colour> colours_of(const pcl::PCLPointCloud2& cloud) {
   check_bytes(cloud);
   const pcl::PCLPointField* field = find_field(cloud, "rgb");
   if (!field) field = find_field(cloud, "rgba");
-  if (!field || std::uint64_t{field->offset} + 4 > cloud.point_step) return {};
+  if (!field || size_of(Scalar{field->datatype}) != 4) return {};
   std::vector<Colour> colours(size_of(cloud));
   for (std::size_t i = 0; i < colours.size(); ++i) {
     const std::uint8_t* packed = bytes_of(cloud, i) + field->offset;  // blue, green, red, alpha
@@ -89,33 +105,102 @@ std::vector<Colour> colours_of(const pcl::PCLPointCloud2& cloud) {
   return colours;
 }
 
-pcl::PCLPointCloud2 make_cloud(const std::vector<Point>& positions, const std::vector<Colour>& colours) {
-  using Type = pcl::PCLPointField;
-  const bool single = float_exact(positions);
-  const std::size_t size = single ? sizeof(float) : sizeof(double);
+bool float_exact(const pcl::PCLPointCloud2& cloud) {
+  const PositionFields fields(cloud);
+  for (std::size_t i = 0; !fields.single() && i < size_of(cloud); ++i)
+    if (!float_exact(fields.load(bytes_of(cloud, i)))) return false;
+  return true;
+}
+
+pcl::PCLPointField make_field(const std::string& name, std::size_t offset, std::uint8_t type,
+                              std::size_t count) {
+  pcl::PCLPointField field;
+  field.name = name;
+  field.offset = static_cast<std::uint32_t>(offset);
+  field.datatype = type;
+  field.count = static_cast<std::uint32_t>(count);
+  return field;
+}
+
+pcl::PCLPointCloud2 make_rows(std::vector<pcl::PCLPointField> fields, std::size_t point_step,
+                              std::size_t points) {
+  if (points > std::numeric_limits<std::uint32_t>::max() / std::max<std::size_t>(point_step, 1))
+    throw IoError("its points take more than 4 GB");
   pcl::PCLPointCloud2 cloud;
-  const char* const names[3] = {"x", "y", "z"};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    cloud.fields.push_back(make_field(names[axis], axis * size, single ? Type::FLOAT32 : Type::FLOAT64));
-  if (!colours.empty()) cloud.fields.push_back(make_field("rgb", 3 * size, Type::FLOAT32));
+  cloud.fields = std::move(fields);
   cloud.height = 1;
-  cloud.width = static_cast<std::uint32_t>(positions.size());
-  cloud.point_step = static_cast<std::uint32_t>(3 * size + (colours.empty() ? 0 : 4));
+  cloud.width = static_cast<std::uint32_t>(points);
+  cloud.point_step = static_cast<std::uint32_t>(point_step);
   cloud.row_step = cloud.width * cloud.point_step;
   cloud.is_dense = true;
-  cloud.data.resize(positions.size() * cloud.point_step);
+  cloud.data.resize(points * point_step);
+  return cloud;
+}
+
+pcl::PCLPointCloud2 make_cloud(const std::vector<Point>& positions, const std::vector<Colour>& colours) {
+  using Type = pcl::PCLPointField;
+  const bool single =
+      std::all_of(positions.begin(), positions.end(), [](const Point& p) { return float_exact(p); });
+  const std::size_t size = single ? sizeof(float) : sizeof(double), rgb = 3 * size;
+  std::vector<pcl::PCLPointField> fields;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    fields.push_back(make_field(kAxes[axis], axis * size, single ? Type::FLOAT32 : Type::FLOAT64));
+  if (!colours.empty()) fields.push_back(make_field("rgb", rgb, Type::FLOAT32));
+  pcl::PCLPointCloud2 cloud = make_rows(std::move(fields), rgb + (colours.empty() ? 0 : 4), positions.size());
+  const PositionFields places(cloud);
   std::uint8_t* to = cloud.data.data();
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    for (const double x : positions[i]) {
-      const float rounded = static_cast<float>(x);
-      std::memcpy(to, single ? static_cast<const void*>(&rounded) : &x, size);
-      to += size;
-    }
+  for (std::size_t i = 0; i < positions.size(); ++i, to += cloud.point_step) {
+    places.store(positions[i], to);
     if (colours.empty()) continue;
     const std::uint8_t packed[4] = {colours[i][2], colours[i][1], colours[i][0], 255};
-    to = std::copy_n(packed, 4, to);
+    std::copy_n(packed, 4, to + rgb);
   }
   return cloud;
+}
+
+pcl::PCLPointCloud2 with_positions(const pcl::PCLPointCloud2& cloud, const std::vector<Point>& positions) {
+  constexpr std::size_t kAhead = sizeof(Point);
+  std::vector<pcl::PCLPointField> fields;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    fields.push_back(make_field(kAxes[axis], axis * sizeof(double), pcl::PCLPointField::FLOAT64));
+  for (const pcl::PCLPointField& field : cloud.fields)
+    if (std::find(kAxes, kAxes + 3, field.name) == kAxes + 3)
+      fields.push_back(make_field(field.name, kAhead + field.offset, field.datatype, field.count));
+  pcl::PCLPointCloud2 moved = make_rows(std::move(fields), kAhead + cloud.point_step, positions.size());
+  moved.header = cloud.header;
+  std::uint8_t* to = moved.data.data();
+  for (std::size_t i = 0; i < positions.size(); ++i, to += moved.point_step) {
+    std::memcpy(to, positions[i].data(), kAhead);
+    std::copy_n(bytes_of(cloud, i), cloud.point_step, to + kAhead);
+  }
+  return moved;
+}
+
+pcl::PCLPointCloud2 with_real_positions(pcl::PCLPointCloud2 cloud) {
+  std::array<const pcl::PCLPointField*, 3> axes{};
+  for (int axis = 0; axis < 3; ++axis) {
+    axes[axis] = find_field(cloud, kAxes[axis]);
+    if (!axes[axis] || axes[axis]->count > 1 || size_of(Scalar{axes[axis]->datatype}) == 0)
+      throw IoError("its points have no x, y and z");
+  }
+  for (const std::uint8_t real : {pcl::PCLPointField::FLOAT32, pcl::PCLPointField::FLOAT64})
+    if (std::all_of(axes.begin(), axes.end(), [real](const auto* axis) { return axis->datatype == real; }))
+      return cloud;
+  check_bytes(cloud);
+  std::vector<Point> positions(size_of(cloud));
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      positions[i][axis] = io::load(bytes_of(cloud, i) + axes[axis]->offset, Scalar{axes[axis]->datatype});
+  return with_positions(cloud, positions);
+}
+
+pcl::PCLPointCloud2 select(const pcl::PCLPointCloud2& cloud, const std::vector<int>& points) {
+  pcl::PCLPointCloud2 some = make_rows(cloud.fields, cloud.point_step, points.size());
+  some.header = cloud.header;
+  std::uint8_t* to = some.data.data();
+  for (const int point : points)
+    to = std::copy_n(bytes_of(cloud, static_cast<std::size_t>(point)), cloud.point_step, to);
+  return some;
 }
 
 std::vector<Triangle> triangles_of(const std::vector<pcl::Vertices>& polygons) {
@@ -131,6 +216,14 @@ std::vector<pcl::Vertices> polygons_of(const std::vector<Triangle>& triangles) {
   for (std::size_t t = 0; t < triangles.size(); ++t)
     polygons[t].vertices.assign(triangles[t].begin(), triangles[t].end());
   return polygons;
+}
+
+pcl::PolygonMesh make_mesh(pcl::PCLPointCloud2 vertices, const std::vector<Triangle>& triangles) {
+  pcl::PolygonMesh mesh;
+  mesh.header = vertices.header;
+  mesh.cloud = std::move(vertices);
+  mesh.polygons = polygons_of(triangles);
+  return mesh;
 }
 
 }  // namespace filmsticking::io

@@ -4,12 +4,13 @@
 #pragma once
 
 #include <pcl/PCLPointCloud2.h>
-#include <pcl/Vertices.h>
+#include <pcl/PolygonMesh.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "filmsticking/types.h"
@@ -31,21 +32,69 @@ std::size_t size_of(const pcl::PCLPointCloud2& cloud);
 /// The field of this name, or null.
 const pcl::PCLPointField* find_field(const pcl::PCLPointCloud2& cloud, const char* name);
 
-/// Positions of all points in double precision, which changes no value. x, y, z must be FLOAT32 or FLOAT64
-/// and lie within the points. Throws IoError.
+/// The bytes of one point; `point` is less than size_of().
+const std::uint8_t* bytes_of(const pcl::PCLPointCloud2& cloud, std::size_t point);
+
+/// Reads and writes x, y and z in the bytes of a point.
+class PositionFields {
+ public:
+  /// The cloud must have x, y and z, all FLOAT32 or all FLOAT64. Its fields must lie within a point, and its
+  /// points within its bytes. Throws IoError.
+  explicit PositionFields(const pcl::PCLPointCloud2& cloud);
+
+  /// Whether the fields are FLOAT32.
+  bool single() const { return single_; }
+
+  /// The position in double precision, which changes no value.
+  Point load(const std::uint8_t* point) const;
+
+  /// Rounds the position to the fields' type.
+  void store(const Point& position, std::uint8_t* point) const;
+
+ private:
+  std::array<std::size_t, 3> offsets_{};
+  bool single_ = true;
+};
+
+/// Positions of all points in double precision, which changes no value. Empty for a cloud without points.
+/// Throws IoError as PositionFields does.
 std::vector<Point> positions_of(const pcl::PCLPointCloud2& cloud);
 
 /// Colours of all points, from the field rgb or rgba; empty if there is none.
 std::vector<Colour> colours_of(const pcl::PCLPointCloud2& cloud);
 
+/// Whether FLOAT32 keeps the value of every coordinate. Throws IoError as PositionFields does.
+bool float_exact(const pcl::PCLPointCloud2& cloud);
+
+/// A field of one value, or `count` values, of a type of PCLPointField.
+pcl::PCLPointField make_field(const std::string& name, std::size_t offset, std::uint8_t type,
+                              std::size_t count = 1);
+
+/// A cloud of zeros in one row. Throws IoError for more bytes than a row of PCL can have, 4 GB.
+pcl::PCLPointCloud2 make_rows(std::vector<pcl::PCLPointField> fields, std::size_t point_step,
+                              std::size_t points);
+
 /// An unorganized cloud of positions: FLOAT32 if that keeps every value, else FLOAT64. `colours`: empty, or
 /// one a position; they become the field rgb.
 pcl::PCLPointCloud2 make_cloud(const std::vector<Point>& positions, const std::vector<Colour>& colours = {});
+
+/// The cloud with other positions, one a point, of type FLOAT64, in one row. All other fields are kept.
+pcl::PCLPointCloud2 with_positions(const pcl::PCLPointCloud2& cloud, const std::vector<Point>& positions);
+
+/// The cloud with x, y, z of any number types, one value each, as PositionFields needs them: FLOAT64 with the
+/// same values where they are not all FLOAT32. Throws IoError where one is missing.
+pcl::PCLPointCloud2 with_real_positions(pcl::PCLPointCloud2 cloud);
+
+/// Points of the cloud, with all their bytes, in one row.
+pcl::PCLPointCloud2 select(const pcl::PCLPointCloud2& cloud, const std::vector<int>& points);
 
 /// Triangles of polygons with three corners each.
 std::vector<Triangle> triangles_of(const std::vector<pcl::Vertices>& polygons);
 
 /// Polygons of triangles.
 std::vector<pcl::Vertices> polygons_of(const std::vector<Triangle>& triangles);
+
+/// A mesh of vertices and triangles.
+pcl::PolygonMesh make_mesh(pcl::PCLPointCloud2 vertices, const std::vector<Triangle>& triangles);
 
 }  // namespace filmsticking::io

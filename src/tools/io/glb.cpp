@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glb.h"
-
+// By hand: VTK's exporter needs a scene to render, and assimp keeps no double coordinates.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "float_exact.h"
+#include "codecs.h"
 #include "io_error.h"
-#include "json.h"
-#include "scalar.h"
 
 namespace filmsticking::io {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 // Numbers of the glTF 2.0 specification.
 constexpr std::uint32_t kMagic = 0x46546c67, kVersion = 2, kJsonChunk = 0x4e4f534a, kBinaryChunk = 0x004e4942;
@@ -37,9 +37,9 @@ Box box_of(const std::vector<Point>& positions) {
 }
 
 /// From where the coordinates count: 0 where single precision keeps them, otherwise the middle of the box.
-Point origin_of(const std::vector<Point>& positions, const Box& box) {
+Point origin_of(bool exact, const Box& box) {
   Point origin{};
-  if (!float_exact(positions))
+  if (!exact)
     for (int axis = 0; axis < 3; ++axis) origin[axis] = (box.least[axis] + box.most[axis]) / 2;
   return origin;
 }
@@ -59,106 +59,74 @@ std::uint16_t to_linear(std::uint8_t channel) {
   return static_cast<std::uint16_t>(std::lround(light * 65535));
 }
 
-std::string json_array(const std::vector<std::string>& values) {
-  std::string text = "[";
-  for (const std::string& value : values) text += (text.size() > 1 ? "," : "") + value;
-  return text + "]";
-}
-
-/// The nearest floats to `p` counted from `origin`, as JSON.
-std::string json_point(const Point& p, const Point& origin) {
-  std::vector<std::string> numbers;
-  numbers.reserve(3);
+/// The nearest floats to `p` counted from `origin`.
+Json floats(const Point& p, const Point& origin) {
+  Json numbers;
   for (int axis = 0; axis < 3; ++axis)
-    numbers.push_back(json(static_cast<double>(static_cast<float>(p[axis] - origin[axis]))));
-  return json_array(numbers);
+    numbers.push_back(static_cast<double>(static_cast<float>(p[axis] - origin[axis])));
+  return numbers;
 }
 
-/// Lists the arrays of the binary chunk, one behind the other.
-class Arrays {
- public:
-  /// `accessor` has what is particular to it; returns the array's number.
-  std::int64_t add(JsonObject accessor, int component, const char* type, std::size_t count, std::size_t bytes,
-                   int target) {
-    const auto number = static_cast<std::int64_t>(views_.size());
-    views_.push_back(JsonObject()
-                         .add("buffer", 0)
-                         .add("byteOffset", static_cast<std::int64_t>(bytes_))
-                         .add("byteLength", static_cast<std::int64_t>(bytes))
-                         .add("target", target)
-                         .one_line());
-    accessors_.push_back(accessor.add("bufferView", number)
-                             .add("componentType", component)
-                             .add("type", type)
-                             .add("count", static_cast<std::int64_t>(count))
-                             .one_line());
-    bytes_ += bytes;
-    return number;
+/// The arrays of the binary chunk, one behind the other, in the order of append_arrays().
+struct Arrays {
+  /// `accessor`: the members that only this array has.
+  void add(Json accessor, int component, const char* type, std::size_t count, std::size_t size, int target) {
+    views.push_back({{"buffer", 0}, {"byteOffset", bytes}, {"byteLength", count * size}, {"target", target}});
+    accessor.update(
+        {{"bufferView", accessors.size()}, {"componentType", component}, {"type", type}, {"count", count}});
+    accessors.push_back(std::move(accessor));
+    bytes += count * size;
   }
 
-  std::size_t bytes() const { return bytes_; }
-  std::string views() const { return json_array(views_); }
-  std::string accessors() const { return json_array(accessors_); }
-
- private:
-  std::vector<std::string> views_, accessors_;
-  std::size_t bytes_ = 0;
+  Json views = Json::array(), accessors = Json::array();
+  std::size_t bytes = 0;
 };
 
-/// The description of the model, and the size of the binary chunk.
+/// The description of the mesh, and the size of the binary chunk.
 struct Scene {
   std::string json;
   std::size_t binary;
 };
 
-Scene describe(const Model& model, const Box& box, const Point& origin) {
-  const std::size_t vertices = model.positions.size(), triangles = model.triangles.size();
-  Arrays arrays;  // in the order of append_arrays()
-  JsonObject attributes, primitive;
-  JsonObject bounds;
-  bounds.add_json("min", json_point(box.least, origin)).add_json("max", json_point(box.most, origin));
-  attributes.add("POSITION", arrays.add(bounds, kFloat, "VEC3", vertices, 12 * vertices, kVertices));
-  const std::int64_t indices =
-      arrays.add({}, kUnsignedInt, "SCALAR", 3 * triangles, 12 * triangles, kIndices);
-  if (!model.colours.empty())
-    attributes.add("COLOR_0", arrays.add(JsonObject().add("normalized", true), kUnsignedShort, "VEC4",
-                                         vertices, 8 * vertices, kVertices));
-  primitive.add_json("attributes", attributes.one_line()).add("indices", indices).add("material", 0);
-
-  JsonObject node;
-  node.add("mesh", 0);
-  if (origin != Point{})
-    node.add_json("translation", json_array({json(origin[0]), json(origin[1]), json(origin[2])}));
+Scene describe(std::size_t vertices, std::size_t corners, bool coloured, const Box& box,
+               const Point& origin) {
+  Arrays arrays;
+  arrays.add({{"min", floats(box.least, origin)}, {"max", floats(box.most, origin)}}, kFloat, "VEC3",
+             vertices, 12, kVertices);
+  arrays.add(Json::object(), kUnsignedInt, "SCALAR", corners, 4, kIndices);
+  Json attributes = {{"POSITION", 0}};
+  if (coloured) {
+    arrays.add({{"normalized", true}}, kUnsignedShort, "VEC4", vertices, 8, kVertices);
+    attributes["COLOR_0"] = 2;
+  }
+  const Json primitive = {{"attributes", attributes}, {"indices", 1}, {"material", 0}};
+  Json node = {{"mesh", 0}};
+  if (origin != Point{}) node["translation"] = origin;
   // Neither metal nor gloss: the colours alone.
-  const std::string surface = JsonObject().add("metallicFactor", 0).add("roughnessFactor", 1).one_line();
-
-  JsonObject scene;
-  scene.add_json("asset", JsonObject().add("version", "2.0").add("generator", "FilmstickingPP").one_line())
-      .add("scene", 0)
-      .add_json("scenes", json_array({JsonObject().add_json("nodes", "[0]").one_line()}))
-      .add_json("nodes", json_array({node.one_line()}))
-      .add_json(
-          "meshes",
-          json_array({JsonObject().add_json("primitives", json_array({primitive.one_line()})).one_line()}))
-      .add_json("materials", json_array({JsonObject().add_json("pbrMetallicRoughness", surface).one_line()}))
-      .add_json("accessors", arrays.accessors())
-      .add_json("bufferViews", arrays.views())
-      .add_json(
-          "buffers",
-          json_array({JsonObject().add("byteLength", static_cast<std::int64_t>(arrays.bytes())).one_line()}));
-  return {scene.one_line(), arrays.bytes()};
+  const Json material = {{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}};
+  const Json scene = {{"asset", {{"version", "2.0"}, {"generator", "FilmstickingPP"}}},
+                      {"scene", 0},
+                      {"scenes", Json::array({{{"nodes", Json::array({0})}}})},
+                      {"nodes", Json::array({node})},
+                      {"meshes", Json::array({{{"primitives", Json::array({primitive})}}})},
+                      {"materials", Json::array({material})},
+                      {"accessors", arrays.accessors},
+                      {"bufferViews", arrays.views},
+                      {"buffers", Json::array({{{"byteLength", arrays.bytes}}})}};
+  return {scene.dump(), arrays.bytes};
 }
 
-void append_arrays(const Model& model, const Point& origin, ByteWriter& out) {
-  for (const Point& p : model.positions)
+void append_arrays(const std::vector<Point>& positions, const std::vector<Triangle>& triangles,
+                   const std::vector<Colour>& colours, const Point& origin, ByteWriter& out) {
+  for (const Point& p : positions)
     out.add([&](std::string& bytes) {
       for (int axis = 0; axis < 3; ++axis) append(bytes, static_cast<float>(p[axis] - origin[axis]));
     });
-  for (const Triangle& triangle : model.triangles)
+  for (const Triangle& triangle : triangles)
     out.add([&](std::string& bytes) {
       for (const std::int32_t corner : triangle) append(bytes, corner);
     });
-  for (const Colour& colour : model.colours)
+  for (const Colour& colour : colours)
     out.add([&](std::string& bytes) {
       for (const std::uint8_t channel : colour) append(bytes, to_linear(channel));
       append(bytes, std::uint16_t{65535});
@@ -167,12 +135,15 @@ void append_arrays(const Model& model, const Point& origin, ByteWriter& out) {
 
 }  // namespace
 
-void encode_glb(const Model& model, ByteWriter& out) {
-  if (model.triangles.empty()) throw IoError("there are no triangles for it");
-  const Box box = box_of(model.positions);
-  const Point origin = origin_of(model.positions, box);
-  check_range(model.positions, origin);
-  Scene scene = describe(model, box, origin);
+void encode_glb(const pcl::PCLPointCloud2& vertices, const std::vector<Triangle>& triangles,
+                ByteWriter& out) {
+  if (triangles.empty()) throw IoError("there are no triangles for it");
+  const std::vector<Point> positions = positions_of(vertices);
+  const std::vector<Colour> colours = colours_of(vertices);
+  const Box box = box_of(positions);
+  const Point origin = origin_of(float_exact(vertices), box);
+  check_range(positions, origin);
+  Scene scene = describe(positions.size(), 3 * triangles.size(), !colours.empty(), box, origin);
   scene.json.resize((scene.json.size() + 3) / 4 * 4, ' ');  // chunks are of whole words
 
   constexpr std::size_t kHeaders = 12 + 8 + 8;
@@ -186,7 +157,7 @@ void encode_glb(const Model& model, ByteWriter& out) {
   add_words({kMagic, kVersion, size, scene.json.size(), kJsonChunk});
   out.append(scene.json);
   add_words({scene.binary, kBinaryChunk});
-  append_arrays(model, origin, out);
+  append_arrays(positions, triangles, colours, origin, out);
 }
 
 }  // namespace filmsticking::io

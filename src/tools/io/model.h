@@ -2,19 +2,34 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "cloud.h"
-#include "filmsticking/types.h"
 
 namespace filmsticking::io {
 
-/// What a file of points or of a mesh holds. Positions have the very value of the file.
+/// Positions, colours and triangles alone: the former type of clouds and meshes, which loses all other
+/// fields. Converts from and to PCL's types.
 struct Model {
   std::vector<Point> positions;
   std::vector<Colour> colours;      ///< empty, or one a position
-  std::vector<Triangle> triangles;  ///< empty for a point cloud; polygons come as fans of triangles
-  std::optional<Point> viewpoint = std::nullopt;  ///< where the sensor was, where that is said
+  std::vector<Triangle> triangles;  ///< empty for a point cloud
+  std::optional<Point> viewpoint = std::nullopt;
+
+  Model() = default;
+  Model(std::vector<Point> p, std::vector<Colour> c, std::vector<Triangle> t)
+      : positions(std::move(p)), colours(std::move(c)), triangles(std::move(t)) {}
+  Model(const Cloud& cloud)
+      : positions(positions_of(cloud.points)),
+        colours(colours_of(cloud.points)),
+        viewpoint(cloud.viewpoint) {}
+  Model(const pcl::PolygonMesh& mesh)
+      : positions(positions_of(mesh.cloud)),
+        colours(colours_of(mesh.cloud)),
+        triangles(triangles_of(mesh.polygons)) {}
+
+  operator pcl::PolygonMesh() const { return make_mesh(make_cloud(positions, colours), triangles); }
 };
 
 }  // namespace filmsticking::io

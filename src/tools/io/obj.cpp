@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "obj.h"
-
+// By hand: CGAL 5.5 reads no colours, refuses files without faces, and takes an index one past the end.
 #include <algorithm>
 #include <cmath>
 
-#include "faces.h"
+#include "codecs.h"
 #include "io_error.h"
-#include "number_text.h"
 #include "text_scanner.h"
 
 namespace filmsticking::io {
@@ -24,16 +22,17 @@ std::vector<std::int32_t> read_corners(TextScanner& line, std::size_t vertices) 
     long long index = 0;
     if (!parse_integer(word.substr(0, word.find('/')), index)) throw IoError("a face in it is not numbers");
     index += index < 0 ? static_cast<long long>(vertices) : -1;
-    if (index < 0 || index > INT32_MAX) throw_no_vertex();
-    corners.push_back(static_cast<std::int32_t>(index));
+    corners.push_back(corner_index(static_cast<double>(index)));
   }
   return corners;
 }
 
 }  // namespace
 
-Model decode_obj(std::string_view bytes) {
-  Model model;
+pcl::PolygonMesh decode_obj(std::string_view bytes) {
+  std::vector<Point> positions;
+  std::vector<Colour> colours;
+  std::vector<Triangle> triangles;
   TextScanner file(bytes);
   std::size_t number = 0;
   for (std::string_view text; file.line(text);) {
@@ -44,36 +43,39 @@ Model decode_obj(std::string_view bytes) {
       Point p{};
       for (double& x : p)
         if (!line.number(x)) throw IoError("line " + std::to_string(number) + " is not a vertex");
-      model.positions.push_back(p);
+      positions.push_back(p);
       std::vector<double> more;
       for (double x; line.remaining() > 0 && line.number(x);) more.push_back(x);
       if (const std::size_t n = more.size(); n >= 3)  // a fourth number alone is a weight
-        model.colours.push_back({to_byte(more[n - 3]), to_byte(more[n - 2]), to_byte(more[n - 1])});
+        colours.push_back({to_byte(more[n - 3]), to_byte(more[n - 2]), to_byte(more[n - 1])});
     } else if (keyword == "f") {
-      append_polygon(read_corners(line, model.positions.size()), model);
+      append_polygon(read_corners(line, positions.size()), triangles);
     }
   }
-  if (model.colours.size() != model.positions.size()) model.colours.clear();
-  check_corners(model);
-  return model;
+  if (colours.size() != positions.size()) colours.clear();
+  check_corners(triangles, positions.size());
+  return make_mesh(make_cloud(positions, colours), triangles);
 }
 
-void encode_obj(const Model& model, ByteWriter& out) {
-  for (std::size_t i = 0; i < model.positions.size(); ++i)
+void encode_obj(const pcl::PCLPointCloud2& vertices, const std::vector<Triangle>& triangles,
+                ByteWriter& out) {
+  const PositionFields positions(vertices);
+  const std::vector<Colour> colours = colours_of(vertices);
+  for (std::size_t i = 0; i < size_of(vertices); ++i)
     out.add([&](std::string& text) {
       text += "v";
-      for (const double x : model.positions[i]) {
+      for (const double x : positions.load(bytes_of(vertices, i))) {
         text += ' ';
         append_number(text, x);  // as double: readers may take the text for either precision
       }
-      if (!model.colours.empty())
-        for (const std::uint8_t channel : model.colours[i]) {
+      if (!colours.empty())
+        for (const std::uint8_t channel : colours[i]) {
           text += ' ';
           append_number(text, static_cast<float>(channel) / 255);
         }
       text += '\n';
     });
-  for (const Triangle& triangle : model.triangles)
+  for (const Triangle& triangle : triangles)
     out.add([&](std::string& text) {
       text += "f";
       for (const std::int32_t corner : triangle) {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pcd.h"
-
+// One check, then PCL's reader. Headers are read by hand, as PCL's reader of them crashes on broken ones; so
+// is text, where PCL's takes words that are no numbers for 0.
 #include <pcl/io/lzf.h>
+#include <pcl/io/pcd_io.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
-#include <vector>
 
+#include "codecs.h"
 #include "io_error.h"
-#include "scalar.h"
+#include "strict_pcd.h"
 #include "text_scanner.h"
 
 namespace filmsticking::io {
@@ -27,7 +27,8 @@ struct Field {
 
 struct Header {
   std::vector<Field> fields;
-  std::size_t points = 0;
+  long long width = -1, height = 1, points = -1;
+  bool consistent = true;  // is WIDTH times HEIGHT what POINTS says?
   Data data = Data::Ascii;
   std::optional<Point> viewpoint;
 };
@@ -50,55 +51,58 @@ Data parse_data(std::string_view word) {
   throw IoError("its PCD header has unknown data '" + std::string(word) + "'");
 }
 
+/// Three finite numbers, or nothing: it is only a hint.
+std::optional<Point> parse_viewpoint(TextScanner& line) {
+  Point place{};
+  for (double& x : place)
+    if (!parse_number(line.word(), x) || !std::isfinite(x)) return std::nullopt;
+  return place;
+}
+
+/// A line of the header. An unknown keyword changes nothing.
+void parse_line(std::string_view keyword, TextScanner& line, Header& header) {
+  if (keyword == "FIELDS" || keyword == "COLUMNS") {
+    for (std::string_view name = line.word(); !name.empty(); name = line.word())
+      header.fields.push_back({std::string(name)});
+  } else if (keyword == "SIZE") {
+    for (Field& field : header.fields) field.size = parse_count(line, "SIZE");
+  } else if (keyword == "TYPE") {
+    for (Field& field : header.fields) {
+      const std::string_view kind = line.word();
+      if (kind != "F" && kind != "I" && kind != "U") throw IoError("its PCD header has a bad TYPE");
+      field.kind = kind[0];
+    }
+  } else if (keyword == "COUNT") {
+    for (Field& field : header.fields) field.count = parse_count(line, "COUNT");
+  } else if (keyword == "WIDTH") {
+    header.width = parse_count(line, "WIDTH");
+  } else if (keyword == "HEIGHT") {
+    header.height = parse_count(line, "HEIGHT");
+  } else if (keyword == "VIEWPOINT") {
+    header.viewpoint = parse_viewpoint(line);
+  } else if (keyword == "POINTS") {
+    header.points = parse_count(line, "POINTS");
+  } else if (keyword == "DATA") {
+    header.data = parse_data(line.word());
+  }
+}
+
 /// Leaves `file` at the first byte after the header.
 Header parse_header(TextScanner& file) {
   Header header;
-  long long width = -1, height = 1, points = -1;
-  std::string_view text;
-  while (file.line(text)) {
+  std::string_view text, keyword;
+  while (keyword != "DATA") {
+    if (!file.line(text)) throw IoError("it is not a PCD file");
     TextScanner line(text);
-    const std::string_view keyword = line.word();
-    if (keyword == "FIELDS" || keyword == "COLUMNS") {
-      for (std::string_view name = line.word(); !name.empty(); name = line.word()) {
-        header.fields.emplace_back();
-        header.fields.back().name = name;
-      }
-    } else if (keyword == "SIZE") {
-      for (Field& field : header.fields) field.size = parse_count(line, "SIZE");
-    } else if (keyword == "TYPE") {
-      for (Field& field : header.fields) {
-        const std::string_view kind = line.word();
-        if (kind != "F" && kind != "I" && kind != "U") throw IoError("its PCD header has a bad TYPE");
-        field.kind = kind[0];
-      }
-    } else if (keyword == "COUNT") {
-      for (Field& field : header.fields) field.count = parse_count(line, "COUNT");
-    } else if (keyword == "WIDTH") {
-      width = parse_count(line, "WIDTH");
-    } else if (keyword == "HEIGHT") {
-      height = parse_count(line, "HEIGHT");
-    } else if (keyword == "VIEWPOINT") {
-      Point place{};
-      bool known = true;
-      for (double& x : place) {
-        TextScanner number(line.word());
-        known = known && number.number(x) && std::isfinite(x);
-      }
-      if (known) header.viewpoint = place;  // it is only a hint
-    } else if (keyword == "POINTS") {
-      points = parse_count(line, "POINTS");
-    } else if (keyword == "DATA") {
-      header.data = parse_data(line.word());
-      if (points < 0) {
-        if (width < 0 || (height > 0 && width > kMost / height))
-          throw IoError("its PCD header has no POINTS");
-        points = width * height;
-      }
-      header.points = static_cast<std::size_t>(points);
-      return header;
-    }
+    keyword = line.word();
+    parse_line(keyword, line, header);
   }
-  throw IoError("it is not a PCD file");
+  const bool product = header.width >= 0 && (header.height == 0 || header.width <= kMost / header.height);
+  if (header.points < 0 && !product) throw IoError("its PCD header has no POINTS");
+  if (header.points < 0) header.points = header.width * header.height;
+  header.consistent = product && header.points == header.width * header.height;
+  if (!header.consistent) header.width = header.points, header.height = 1;
+  return header;
 }
 
 Scalar scalar_of(const Field& field) {
@@ -112,135 +116,171 @@ Scalar scalar_of(const Field& field) {
   throw IoError("its field '" + field.name + "' has an unknown type");
 }
 
-/// The fields that are read: x, y, z and the colour, if there is one.
-struct Wanted {
-  std::size_t axes[3] = {};
-  std::size_t colour = 0;
-  bool coloured = false;
-};
-
-Wanted find_wanted(const Header& header) {
-  Wanted wanted;
-  const auto find = [&header](const char* name, std::size_t& index) {
-    for (index = 0; index < header.fields.size(); ++index)
-      if (header.fields[index].name == name && header.fields[index].count > 0) return true;
-    return false;
-  };
-  const char* const names[] = {"x", "y", "z"};
-  for (int k = 0; k < 3; ++k)
-    if (!find(names[k], wanted.axes[k])) throw IoError("its points have no x, y and z");
-  for (const std::size_t axis : wanted.axes) scalar_of(header.fields[axis]);
-  wanted.coloured =
-      (find("rgb", wanted.colour) || find("rgba", wanted.colour)) && header.fields[wanted.colour].size == 4;
-  return wanted;
-}
-
-/// The four bytes of a colour, whatever the field says about their type.
-Colour unpack(std::uint32_t rgb) {
-  const auto channel = [rgb](int shift) { return static_cast<std::uint8_t>(rgb >> shift & 255); };
-  return {channel(16), channel(8), channel(0)};
-}
-
-Model read_text(const Header& header, const Wanted& wanted, std::string_view body) {
-  std::size_t words = 0;
-  for (const Field& field : header.fields) {
-    if (static_cast<std::size_t>(field.count) > body.size()) throw_short();
-    words += static_cast<std::size_t>(field.count);
-  }
-  if (header.points > body.size() / words) throw_short();
-
-  Model model;
-  model.positions.reserve(header.points);
-  TextScanner text(body);
-  for (std::size_t i = 0; i < header.points; ++i) {
-    Point position{};
-    Colour colour{};
-    for (std::size_t f = 0; f < header.fields.size(); ++f) {
-      const Field& field = header.fields[f];
-      for (long long k = 0; k < field.count; ++k) {
-        const std::string_view word = text.word();
-        if (word.empty()) throw_short();
-        const auto axis = std::find(wanted.axes, wanted.axes + 3, f) - wanted.axes;
-        const bool is_colour = wanted.coloured && f == wanted.colour;
-        if (k > 0 || (axis == 3 && !is_colour)) continue;
-        TextScanner number(word);
-        float single = 0;
-        double value = 0;
-        if (!(field.kind == 'F' && field.size == 4 ? number.number(single) : number.number(value)))
-          throw IoError("its body has a word that is not a number");
-        if (field.kind == 'F' && field.size == 4) value = static_cast<double>(single);
-        if (axis < 3) position[static_cast<std::size_t>(axis)] = value;
-        if (is_colour && field.kind == 'F')
-          colour = unpack(load<std::uint32_t>(reinterpret_cast<char*>(&single)));
-        if (is_colour && field.kind != 'F' && std::abs(value) < 1e10)
-          colour = unpack(static_cast<std::uint32_t>(static_cast<long long>(value)));
-      }
-    }
-    model.positions.push_back(position);
-    if (wanted.coloured) model.colours.push_back(colour);
-  }
-  return model;
-}
-
-/// `by_field`: all points' first fields, then all second ones, and so on; else point after point.
-Model read_binary(const Header& header, const Wanted& wanted, std::string_view body, bool by_field) {
-  std::vector<std::size_t> offsets;  // of the fields in a point
-  std::size_t step = 0;
-  for (const Field& field : header.fields) {
-    offsets.push_back(step);
-    if (field.size > 8 || static_cast<std::size_t>(field.count) > body.size()) throw_short();
-    step += static_cast<std::size_t>(field.size * field.count);
-  }
-  if (header.points > body.size() / std::max<std::size_t>(step, 1)) throw_short();
-
-  const auto place = [&](std::size_t point, std::size_t f) {
-    const auto width = static_cast<std::size_t>(header.fields[f].size * header.fields[f].count);
-    return body.data() + (by_field ? offsets[f] * header.points + point * width : point * step + offsets[f]);
-  };
-  Model model;
-  model.positions.reserve(header.points);
-  for (std::size_t i = 0; i < header.points; ++i) {
-    Point position{};
-    for (std::size_t k = 0; k < 3; ++k)
-      position[k] = load(place(i, wanted.axes[k]), scalar_of(header.fields[wanted.axes[k]]));
-    model.positions.push_back(position);
-    if (wanted.coloured) model.colours.push_back(unpack(load<std::uint32_t>(place(i, wanted.colour))));
-  }
-  return model;
-}
-
-std::string decompress(std::string_view body) {
+/// Refuses compressed data that do not have `size` bytes; PCL's reader would write about them on stderr.
+void check_compressed(std::string_view body, std::size_t size) {
   if (body.size() < 8) throw_short();
-  const std::size_t compressed = load<std::uint32_t>(body.data()),
-                    size = load<std::uint32_t>(body.data() + 4);
+  const std::size_t compressed = load<std::uint32_t>(body.data());
   // Three bytes stand for at most 264.
-  if (compressed > body.size() - 8 || size / 100 > compressed) throw_short();
+  if (compressed > body.size() - 8 || load<std::uint32_t>(body.data() + 4) != size || size / 100 > compressed)
+    throw_short();
   std::string bytes(size, '\0');
   if (size > 0 && pcl::lzfDecompress(body.data() + 8, static_cast<unsigned>(compressed), bytes.data(),
                                      static_cast<unsigned>(size)) != size)
     throw IoError("its compressed data are broken");
-  return bytes;
+}
+
+/// The cloud that the header describes, all zeros, once the body can hold it. PCL's reader takes fields named
+/// "_" for padding that compressed data lack; here they have no name, and bytes as any other.
+pcl::PCLPointCloud2 make_cloud(const Header& header, std::string_view body) {
+  std::vector<pcl::PCLPointField> fields;
+  std::size_t step = 0, words = 0;
+  for (const Field& field : header.fields) {
+    const Scalar type = scalar_of(field);
+    const auto count = static_cast<std::size_t>(field.count);
+    if (count > body.size()) throw_short();
+    if (count == 0) continue;
+    fields.push_back(
+        make_field(field.name == "_" ? "" : field.name, step, static_cast<std::uint8_t>(type), count));
+    step += size_of(type) * count;
+    words += count;
+  }
+  if (fields.empty()) throw IoError("its points have no x, y and z");
+  const auto points = static_cast<std::size_t>(header.points);
+  if (header.data != Data::Compressed &&
+      points > body.size() / std::max<std::size_t>(header.data == Data::Ascii ? words : step, 1))
+    throw_short();
+  if (points > UINT32_MAX / std::max<std::size_t>(step, 1)) throw IoError("its points take more than 4 GB");
+  if (header.data == Data::Compressed) check_compressed(body, points * step);
+  pcl::PCLPointCloud2 cloud = make_rows(std::move(fields), step, points);
+  cloud.width = static_cast<std::uint32_t>(header.width);
+  cloud.height = static_cast<std::uint32_t>(header.height);
+  cloud.row_step = cloud.width * cloud.point_step;
+  return cloud;
+}
+
+void read_text(std::string_view body, pcl::PCLPointCloud2& cloud) {
+  TextScanner text(body);
+  std::uint8_t* to = cloud.data.data();
+  for (std::size_t i = 0; i < size_of(cloud); ++i)
+    for (const pcl::PCLPointField& field : cloud.fields)
+      for (std::size_t k = 0; k < field.count; ++k) {
+        const auto type = static_cast<Scalar>(field.datatype);
+        const std::string_view word = text.word();
+        if (word.empty()) throw_short();
+        if (!store_number(word, type, to)) throw IoError("its body has a word that is no number of its type");
+        to += size_of(type);
+      }
+}
+
+// ---- the letter of the format
+
+[[noreturn]] void refuse(const std::string& what) { throw IoError("it is no strict PCD file: " + what); }
+
+std::size_t count_words(std::string_view line) {
+  TextScanner words(line);
+  std::size_t count = 0;
+  while (!words.word().empty()) ++count;
+  return count;
+}
+
+/// The header's lines: their order and their numbers of words. Leaves `file` at the first byte after it.
+void check_lines(TextScanner& file, std::size_t fields) {
+  struct Rule {
+    std::string_view keyword;
+    std::size_t words;
+    bool optional;
+  };
+  const Rule rules[] = {{"VERSION", 1, false},   {"FIELDS", fields, false}, {"SIZE", fields, false},
+                        {"TYPE", fields, false}, {"COUNT", fields, true},   {"WIDTH", 1, false},
+                        {"HEIGHT", 1, false},    {"VIEWPOINT", 7, true},    {"POINTS", 1, false},
+                        {"DATA", 1, false}};
+  std::string_view text;
+  for (const Rule* rule = rules; rule != std::end(rules);) {
+    const std::size_t before = file.remaining();
+    if (!file.line(text)) refuse("it ends too early");
+    if (before - file.remaining() == 1) continue;  // an empty line
+    // PCL's reader takes a line of blanks for the header's end, and separates words by blanks alone.
+    TextScanner line(text);
+    const std::string_view keyword = line.word();
+    if (keyword.empty()) refuse("a line of its header is blank");
+    if (keyword[0] == '#') continue;
+    if (text.find_first_of(",;\v\f\r") != std::string_view::npos) refuse("its header has odd separators");
+    while (rule->optional && rule->keyword != keyword) ++rule;
+    if (rule->keyword != keyword) refuse(std::string(rule->keyword) + " is not where it belongs");
+    if (count_words(text) != rule->words + 1)
+      refuse(std::string(keyword) + " has not " + std::to_string(rule->words) + " values");
+    for (double x = 0; keyword == "VIEWPOINT" && line.remaining() > 0;)
+      if (!line.number(x) || !std::isfinite(x)) refuse("its VIEWPOINT is not seven numbers");
+    ++rule;
+  }
+}
+
+/// PCL's reader does not end the header at DATA: a keyword behind it, past comments and empty lines, counts
+/// too, and then sizes change after the memory for them was taken.
+void check_header_ends(std::string_view body) {
+  for (bool header = true; header && !body.empty();) {
+    std::string_view line = body.substr(0, body.find('\n'));
+    body.remove_prefix(std::min(line.size() + 1, body.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(" \t\r\v\f"), line.size()));
+    for (const std::string_view keyword : {"VERSION", "FIELDS", "COLUMNS", "SIZE", "TYPE", "COUNT", "WIDTH",
+                                           "HEIGHT", "VIEWPOINT", "POINTS", "DATA"})
+      if (line.substr(0, keyword.size()) == keyword) refuse("its header goes on behind DATA");
+    header = line.empty() || line[0] == '#';
+  }
+}
+
+/// Every point is a line, with as many words as it has numbers.
+void check_text(std::string_view body, std::size_t points, std::size_t numbers) {
+  TextScanner file(body);
+  std::size_t lines = 0;
+  for (std::string_view line; file.line(line);) {
+    const std::size_t words = count_words(line);
+    if (words == 0) continue;
+    if (words != numbers || line.find_first_of(",;\v\f") != std::string_view::npos)
+      refuse("a point has " + std::to_string(words) + " numbers");
+    ++lines;
+  }
+  if (lines != points) refuse("it has " + std::to_string(lines) + " points");
 }
 
 }  // namespace
 
-Model decode_pcd(std::string_view bytes, const std::function<void()>& release) {
+Cloud decode_pcd(std::string_view bytes) {
   TextScanner file(bytes);
   const Header header = parse_header(file);
-  const Wanted wanted = find_wanted(header);
   const std::string_view body = bytes.substr(bytes.size() - file.remaining());
-  Model model;
+  Cloud cloud{make_cloud(header, body), header.viewpoint};
   if (header.data == Data::Ascii) {
-    model = read_text(header, wanted, body);
-  } else if (header.data == Data::Binary) {
-    model = read_binary(header, wanted, body, false);
-  } else {
-    const std::string fields = decompress(body);
-    if (release) release();
-    model = read_binary(header, wanted, fields, true);
+    read_text(body, cloud.points);
+  } else if (header.points > 0) {
+    pcl::PCDReader().readBodyBinary(reinterpret_cast<const unsigned char*>(body.data()), cloud.points,
+                                    pcl::PCDReader::PCD_V7, header.data == Data::Compressed, 0);
   }
-  model.viewpoint = header.viewpoint;
-  return model;
+  auto& fields = cloud.points.fields;
+  fields.erase(std::remove_if(fields.begin(), fields.end(), [](const auto& f) { return f.name.empty(); }),
+               fields.end());
+  cloud.points = with_real_positions(std::move(cloud.points));
+  return cloud;
+}
+
+void check_pcd(std::string_view bytes) {
+  TextScanner file(bytes), again(bytes);
+  const Header header = parse_header(file);
+  check_lines(again, header.fields.size());
+  const std::string_view body = bytes.substr(bytes.size() - file.remaining());
+  constexpr long long kMostPoints = INT32_MAX, kMostFields = 1000, kMostCount = 100000;
+  const auto fields = static_cast<long long>(header.fields.size());
+  if (fields == 0 || fields > kMostFields) refuse("it has no fields");
+  std::size_t numbers = 0;
+  for (const Field& field : header.fields) {
+    if (field.count == 0 || field.count > kMostCount) refuse("a COUNT is out of range");
+    numbers += static_cast<std::size_t>(field.count);
+  }
+  if (header.points == 0 || header.points > kMostPoints || !header.consistent)
+    refuse("WIDTH times HEIGHT is not POINTS");
+  make_cloud(header, body);
+  check_header_ends(body);
+  if (header.data == Data::Ascii) check_text(body, static_cast<std::size_t>(header.points), numbers);
 }
 
 }  // namespace filmsticking::io

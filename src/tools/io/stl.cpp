@@ -1,151 +1,80 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stl.h"
+#include <CGAL/IO/STL.h>
+#include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
+#include <boost/iostreams/device/array.hpp>
+#include <boost/iostreams/stream.hpp>
 #include <cmath>
-#include <set>
+#include <ostream>
+#include <streambuf>
 #include <vector>
 
-#include "float_exact.h"
+#include "codecs.h"
 #include "io_error.h"
-#include "number_text.h"
-#include "scalar.h"
-#include "text_scanner.h"
 
 namespace filmsticking::io {
 namespace {
 
-/// Zero for a triangle without area.
-Point unit_normal(const Point& a, const Point& b, const Point& c) {
-  const Point u{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-  const Point v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-  Point n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-  const double length = std::hypot(n[0], n[1], n[2]);
-  for (double& x : n) x = length > 0 ? x / length : 0;
-  return n;
-}
+using Vertex = CGAL::Simple_cartesian<double>::Point_3;
 
-void encode_binary(const Model& model, ByteWriter& out) {
-  out.append(std::string(80, '\0'));
-  out.add([&](std::string& bytes) { append(bytes, static_cast<std::uint32_t>(model.triangles.size())); });
-  for (const Triangle& t : model.triangles)
-    out.add([&](std::string& bytes) {
-      const Point corners[3] = {model.positions[t[0]], model.positions[t[1]], model.positions[t[2]]};
-      for (const double x : unit_normal(corners[0], corners[1], corners[2]))
-        append(bytes, static_cast<float>(x));
-      for (const Point& corner : corners)
-        for (const double x : corner) append(bytes, static_cast<float>(x));
-      append(bytes, std::uint16_t{0});
-    });
-}
-
-void append_point(std::string& text, const Point& p) {
-  for (const double x : p) {
-    text += ' ';
-    append_number(text, x);
-  }
-  text += '\n';
-}
-
-void encode_text(const Model& model, ByteWriter& out) {
-  out.append("solid\n");
-  for (const Triangle& t : model.triangles)
-    out.add([&](std::string& text) {
-      const Point corners[3] = {model.positions[t[0]], model.positions[t[1]], model.positions[t[2]]};
-      text += "facet normal";
-      append_point(text, unit_normal(corners[0], corners[1], corners[2]));
-      text += "outer loop\n";
-      for (const Point& corner : corners) {
-        text += "vertex";
-        append_point(text, corner);
-      }
-      text += "endloop\nendfacet\n";
-    });
-  out.append("endsolid\n");
-}
-
-/// Puts triangles together from their corners; equal corners become one vertex.
-class CornerJoiner {
+/// Passes its output on to a ByteWriter.
+class WriterBuffer : public std::streambuf {
  public:
-  CornerJoiner() = default;
-  CornerJoiner(const CornerJoiner&) = delete;
-  CornerJoiner& operator=(const CornerJoiner&) = delete;
+  explicit WriterBuffer(ByteWriter& out) : out_(out) {}
 
-  void add(const Point& corner) {
-    const auto next = static_cast<std::int32_t>(model_.positions.size());
-    model_.positions.push_back(corner);
-    const auto [found, is_new] = vertices_.insert(next);
-    if (!is_new) model_.positions.pop_back();
-    triangle_[corners_++ % 3] = *found;
-    if (corners_ % 3 == 0) model_.triangles.push_back(triangle_);
+ protected:
+  std::streamsize xsputn(const char* bytes, std::streamsize size) override {
+    out_.append({bytes, static_cast<std::size_t>(size)});
+    return size;
   }
-
-  Model take() {
-    if (corners_ == 0 || corners_ % 3 != 0) throw IoError("it is not a whole STL file");
-    return std::move(model_);
+  int_type overflow(int_type c) override {
+    const char byte = traits_type::to_char_type(c);
+    if (!traits_type::eq_int_type(c, traits_type::eof())) out_.append({&byte, 1});
+    return traits_type::not_eof(c);
   }
 
  private:
-  Model model_;
-  // By position, which they share with the model: no second copy of the points.
-  struct Before {
-    const std::vector<Point>& positions;
-    bool operator()(std::int32_t a, std::int32_t b) const { return positions[a] < positions[b]; }
-  };
-  std::set<std::int32_t, Before> vertices_{Before{model_.positions}};
-  Triangle triangle_{};
-  std::size_t corners_ = 0;
+  ByteWriter& out_;
 };
 
-bool is_finite(const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
-
-Model decode_binary(std::string_view bytes) {
-  CornerJoiner joiner;
-  for (std::size_t facet = 84; facet + 50 <= bytes.size(); facet += 50)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const char* corner = bytes.data() + facet + 12 + 12 * k;
-      const Point p{load<float>(corner), load<float>(corner + 4), load<float>(corner + 8)};
-      if (!is_finite(p)) throw IoError("a corner in it is not finite");
-      joiner.add(p);
-    }
-  return joiner.take();
-}
-
-Model decode_text(std::string_view bytes) {
-  CornerJoiner joiner;
-  TextScanner text(bytes);
-  bool ended = false;
-  for (std::string_view word = text.word(); !word.empty(); word = text.word()) {
-    if (word == "endsolid") ended = true;
-    if (word != "vertex") continue;
-    ended = false;
-    Point p{};
-    for (double& x : p)
-      if (!text.number(x)) throw IoError("it is not a whole STL file");
-    if (!is_finite(p)) throw IoError("a corner in it is not finite");
-    joiner.add(p);
-  }
-  if (!ended) throw IoError("it is not a whole STL file");
-  return joiner.take();
+/// Whether the file is whole, which CGAL does not see of every short one. Binary files have a size that
+/// follows from their number of triangles; some begin with "solid" like texts, some have more at their end.
+bool is_whole(std::string_view bytes) {
+  const std::size_t size =
+      bytes.size() < 84 ? 84 : 84 + std::size_t{50} * load<std::uint32_t>(bytes.data() + 80);
+  if (bytes.size() == size || bytes.substr(0, 5) != "solid") return bytes.size() >= size;
+  const std::size_t end = bytes.rfind("endsolid"), vertex = bytes.rfind("vertex");
+  return end != std::string_view::npos && (vertex == std::string_view::npos || vertex < end);
 }
 
 }  // namespace
 
-Model decode_stl(std::string_view bytes) {
-  // A text begins with "solid", but so do some binary files: their size tells. Others have more at their end.
-  const std::size_t size =
-      bytes.size() < 84 ? 84 : 84 + std::size_t{50} * load<std::uint32_t>(bytes.data() + 80);
-  if (bytes.size() == size) return decode_binary(bytes);
-  if (bytes.substr(0, 5) == "solid") return decode_text(bytes);
-  if (bytes.size() > size) return decode_binary(bytes.substr(0, size));
-  throw IoError("it is not a whole STL file");
+pcl::PolygonMesh decode_stl(std::string_view bytes) {
+  std::vector<Vertex> vertices;
+  std::vector<Triangle> triangles;
+  boost::iostreams::stream<boost::iostreams::array_source> file(bytes.data(), bytes.size());
+  if (!is_whole(bytes) || !CGAL::IO::read_STL(file, vertices, triangles) || triangles.empty())
+    throw IoError("it is not a whole STL file");
+  std::vector<Point> positions;
+  positions.reserve(vertices.size());
+  for (const Vertex& v : vertices) positions.push_back({v.x(), v.y(), v.z()});
+  for (const Point& p : positions)
+    if (!std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); }))
+      throw IoError("a corner in it is not finite");
+  return make_mesh(make_cloud(positions), triangles);
 }
 
-void encode_stl(const Model& model, ByteWriter& out) {
-  if (float_exact(model.positions)) {
-    encode_binary(model, out);
-  } else {
-    encode_text(model, out);
-  }
+void encode_stl(const pcl::PCLPointCloud2& vertices, const std::vector<Triangle>& triangles,
+                ByteWriter& out) {
+  std::vector<Vertex> corners;
+  corners.reserve(size_of(vertices));
+  for (const Point& p : positions_of(vertices)) corners.emplace_back(p[0], p[1], p[2]);
+  WriterBuffer buffer(out);
+  std::ostream file(&buffer);
+  file.exceptions(std::ios::badbit);  // passes on what the sink throws
+  CGAL::IO::set_mode(file, float_exact(vertices) ? CGAL::IO::BINARY : CGAL::IO::ASCII);
+  CGAL::IO::write_STL(file, corners, triangles, CGAL::parameters::stream_precision(17));
 }
 
 }  // namespace filmsticking::io

@@ -43,12 +43,20 @@ std::string_view TextScanner::word() {
 }
 
 template <typename T>
-bool TextScanner::number(T& value) {
-  const std::string_view text = without_plus(word());
+bool parse_number(std::string_view word, T& value) {
+  const std::string_view text = without_plus(word);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (text.empty() || end != text.data() + text.size()) return false;
   if (error == std::errc::result_out_of_range) value = out_of_range(std::string(text).c_str(), T());
   return error != std::errc::invalid_argument;
+}
+
+template bool parse_number(std::string_view, float&);
+template bool parse_number(std::string_view, double&);
+
+template <typename T>
+bool TextScanner::number(T& value) {
+  return parse_number(word(), value);
 }
 
 template bool TextScanner::number(float&);

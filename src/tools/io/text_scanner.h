@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <charconv>
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace filmsticking::io {
 
-/// Takes words and numbers off the front of a text. Blanks separate, and so do commas and semicolons.
+/// Takes words and numbers from the front of a text. Blanks, commas and semicolons separate words.
 class TextScanner {
  public:
   explicit TextScanner(std::string_view text) : rest_(text) {}
@@ -30,5 +32,16 @@ class TextScanner {
 
 /// The whole of `word` as a whole number.
 bool parse_integer(std::string_view word, long long& value);
+
+/// The whole of `word` as a number, rounded once to T (float or double).
+template <typename T>
+bool parse_number(std::string_view word, T& value);
+
+/// Appends the shortest text that reads back as the same number.
+template <typename Number>
+void append_number(std::string& text, Number number) {
+  char digits[64];
+  text.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+}
 
 }  // namespace filmsticking::io

@@ -4,11 +4,15 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include "model.h"
+#include <vector>
+
+#include "cloud.h"
 
 namespace filmsticking::io {
 
-/// The same points, colours and triangles for VTK, in double precision.
-vtkSmartPointer<vtkPolyData> to_polydata(const Model& model);
+/// Points, colours (none, or one a point) and triangles for VTK, in double precision.
+vtkSmartPointer<vtkPolyData> to_polydata(const std::vector<Point>& positions,
+                                         const std::vector<Colour>& colours,
+                                         const std::vector<Triangle>& triangles);
 
 }  // namespace filmsticking::io

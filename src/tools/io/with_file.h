@@ -8,7 +8,7 @@
 
 namespace filmsticking::io {
 
-/// Runs `use` on a file and puts its name before what goes wrong with it. Throws IoError.
+/// Runs `use` and prefixes its errors with the file's name. Throws IoError.
 template <typename Use>
 auto with_file(const std::string& path, Use use) {
   try {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "xyz.h"
-
 #include <algorithm>
 #include <string>
 
+#include "codecs.h"
 #include "io_error.h"
 #include "text_scanner.h"
 
@@ -27,8 +26,9 @@ bool read_colour(TextScanner& line, Colour& colour) {
 
 }  // namespace
 
-Model decode_xyz(std::string_view bytes) {
-  Model model;
+Cloud decode_xyz(std::string_view bytes) {
+  std::vector<Point> positions;
+  std::vector<Colour> colours;
   bool coloured = true;
   std::uint8_t brightest = 0;
   TextScanner file(bytes);
@@ -39,18 +39,18 @@ Model decode_xyz(std::string_view bytes) {
     TextScanner line(text);
     Point p{};
     if (!line.number(p[0]) || !line.number(p[1]) || !line.number(p[2])) {
-      if (model.positions.empty()) continue;
+      if (positions.empty()) continue;
       throw IoError("line " + std::to_string(number) + " does not begin with three numbers");
     }
-    model.positions.push_back(p);
+    positions.push_back(p);
     Colour colour{};
     coloured = coloured && read_colour(line, colour);
     if (!coloured) continue;
-    model.colours.push_back(colour);
+    colours.push_back(colour);
     brightest = std::max({brightest, colour[0], colour[1], colour[2]});
   }
-  if (!coloured || brightest < 2) model.colours.clear();
-  return model;
+  if (!coloured || brightest < 2) colours.clear();
+  return {make_cloud(positions, colours), std::nullopt};
 }
 
 }  // namespace filmsticking::io

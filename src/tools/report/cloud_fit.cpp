@@ -37,7 +37,7 @@ std::int64_t count_near(const std::vector<Vec3>& points, const std::vector<Vec3>
   Search::Tree tree;
   tree.reserve(places.size());
   for (const Vec3& p : places) tree.insert(cgal_point(p));
-  tree.build();  // not left to the first query: queries come from several threads
+  tree.build();  // before the first query: queries run in several threads
   std::atomic<std::int64_t> near{0};
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 256), [&](const auto& range) {
     std::int64_t here = 0;
@@ -58,7 +58,7 @@ CloudFit cloud_fit(const Surface& mesh, const std::vector<Point>& cloud) {
   fit.points = static_cast<std::int64_t>(points.size());
   if (points.empty() || mesh.triangles.empty()) return fit;
 
-  // In the unit box: nothing is lost to large coordinates.
+  // In the unit box: large coordinates would cost digits.
   const Frame frame = frame_of(points);
   const double unit = frame.side > 0 ? frame.side : 1;
   const Surface surface = frame.to_unit(mesh);

@@ -8,8 +8,8 @@ namespace filmsticking::mesh_report {
 /// How large a surface is.
 struct Extent {
   double area = 0;
-  /// What a closed, oriented surface encloses; negative if it winds inward. Cavities that wind inward, as
-  /// they should, are taken off. Without meaning for others.
+  /// Volume inside a closed, oriented surface; negative if it winds inward. Cavities, which wind inward, are
+  /// subtracted. Without meaning for other surfaces.
   double signed_volume = 0;
 };
 

@@ -21,7 +21,7 @@ struct TruthFit {
   bool topology_right() const { return genus_right && components_right; }
 };
 
-/// What there is to say about a mesh.
+/// All measurements of a mesh.
 struct Report {
   std::int64_t vertices = 0, faces = 0;
   Topology topology;
@@ -41,7 +41,7 @@ TruthFit truth_fit(const Surface& mesh, const Topology& topology, const Surface&
 /// A table for people.
 std::string to_text(const Report& report);
 
-/// One JSON object, its members flat; what there is not is null. Members of the cloud and of the truth only
+/// One flat JSON object; a measurement without a value is null. Members of the cloud and of the truth only
 /// with these.
 std::string to_json(const Report& report);
 

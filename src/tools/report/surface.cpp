@@ -38,11 +38,12 @@ Vec3 Surface::area_vector2(std::size_t triangle) const {
   return (corner(triangle, 1) - a).cross(corner(triangle, 2) - a);
 }
 
-Surface make_surface(const io::Model& model) {
+Surface make_surface(const pcl::PolygonMesh& mesh) {
   Surface surface;
-  const std::vector<std::int32_t> first = first_at_place(model.positions);
-  std::vector<std::int32_t> vertex(model.positions.size(), -1);
-  for (const Triangle& t : model.triangles) {
+  const std::vector<Point> positions = io::positions_of(mesh.cloud);
+  const std::vector<std::int32_t> first = first_at_place(positions);
+  std::vector<std::int32_t> vertex(positions.size(), -1);
+  for (const Triangle& t : io::triangles_of(mesh.polygons)) {
     Triangle corners{first[t[0]], first[t[1]], first[t[2]]};
     if (*std::min_element(corners.begin(), corners.end()) < 0) continue;
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
@@ -50,7 +51,7 @@ Surface make_surface(const io::Model& model) {
       std::int32_t& id = vertex[corner];
       if (id < 0) {
         id = static_cast<std::int32_t>(surface.positions.size());
-        const Point& p = model.positions[corner];
+        const Point& p = positions[corner];
         surface.positions.emplace_back(p[0], p[1], p[2]);
       }
       corner = id;

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "filmsticking/types.h"
-#include "io/model.h"
+#include "io/cloud.h"
 
 namespace filmsticking::mesh_report {
 
 using Vec3 = Eigen::Vector3d;
 
-/// The faces of a model as they are judged. Vertices at the very same place are one, so that formats which
-/// repeat corners (STL) lose nothing; every vertex has a face, and no face repeats a vertex.
+/// The faces of a mesh as they are judged. Vertices at the same position are one, as some formats (STL)
+/// repeat corners. Every vertex has a face, and no face repeats a vertex.
 struct Surface {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
@@ -23,12 +23,12 @@ struct Surface {
 };
 
 /// Leaves out faces that repeat a vertex or have a corner that is not usable(). Keeps the order of faces.
-Surface make_surface(const io::Model& model);
+Surface make_surface(const pcl::PolygonMesh& mesh);
 
 /// Finite, and small enough that squares and their sums are too.
 bool usable(const Point& p);
 
-/// A box's way to the unit box: moves its centre to the origin and makes its longest side 1.
+/// The map of a box to the unit box: its centre becomes the origin, its longest side 1.
 struct Frame {
   Vec3 centre = Vec3::Zero();
   double side = 1;  ///< longest side; 0 for a single point

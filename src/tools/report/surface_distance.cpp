@@ -49,7 +49,7 @@ SurfaceDistance::SurfaceDistance(const Surface& surface) : tree_(new Tree) {
   for (std::size_t f = 0; f < surface.triangles.size(); ++f) triangles.push_back(cgal_triangle(surface, f));
   tree_->boxes.insert(triangles.cbegin(), triangles.cend());
   tree_->boxes.build();
-  // Not left to the first query: queries come from several threads.
+  // Before the first query: queries run in several threads.
   tree_->boxes.accelerate_distance_queries();
 }
 

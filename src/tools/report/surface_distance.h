@@ -8,7 +8,7 @@
 
 namespace filmsticking::mesh_report {
 
-/// The way from a point to the nearest of a surface.
+/// The nearest point of a surface, seen from another point.
 struct Nearest {
   double distance = 0;
   std::size_t triangle = 0;

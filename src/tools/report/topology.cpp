@@ -11,7 +11,7 @@
 namespace filmsticking::mesh_report {
 namespace {
 
-/// Which of n things are joined, directly or by others.
+/// Union-find over n elements.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -37,7 +37,7 @@ struct Side {
   std::size_t corner_at_high() const { return 3 * std::size_t(face) + (forward ? (corner + 1) % 3 : corner); }
 };
 
-/// All sides, those of one edge in a row.
+/// All sides, grouped by edge.
 std::vector<Side> sides_by_edge(const Surface& surface) {
   std::vector<Side> sides;
   sides.reserve(3 * surface.triangles.size());

@@ -8,7 +8,7 @@
 
 namespace filmsticking::mesh_report {
 
-/// How the faces hang together.
+/// Connectivity of the faces.
 struct Topology {
   std::int64_t edges = 0;
   std::int64_t boundary_edges = 0;         ///< with one face

@@ -14,8 +14,9 @@ struct TruthDistances {
   double chamfer_e3 = 0;          ///< mean of the two mean distances, x 1000
   double f_score = 0;             ///< percent: harmonic mean of the two shares of points nearer than kNear
   double normal_consistency = 0;  ///< percent: mean of the two mean |cosines| with the nearest face's normal
-  double turned_over = 0;  ///< percent of the mesh that faces the other way than the nearest, at most 50
-  double hausdorff = 0;    ///< the largest distance that a point had
+  double turned_over =
+      0;  ///< percent of the mesh whose normal opposes the nearest one of the truth, at most 50
+  double hausdorff = 0;  ///< the largest distance that a point had
 };
 
 constexpr double kNear = 0.005;

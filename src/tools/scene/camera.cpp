@@ -12,9 +12,9 @@ double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + 
 
 /// Calls `take` for every finite point.
 template <typename Take>
-void for_finite(const std::vector<const std::vector<Point>*>& points, Take take) {
-  for (const std::vector<Point>* some : points)
-    for (const Point& p : *some)
+void for_finite(const std::vector<std::vector<Point>>& points, Take take) {
+  for (const std::vector<Point>& some : points)
+    for (const Point& p : some)
       if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])) take(p);
 }
 
@@ -30,8 +30,8 @@ Frame make_frame(const Angles& angles) {
   return frame;
 }
 
-Target aim(const std::vector<const std::vector<Point>*>& points, const std::vector<Frame>& frames) {
-  // One frame: the box along its own directions is the tightest. Several: the upright one.
+Target aim(const std::vector<std::vector<Point>>& points, const std::vector<Frame>& frames) {
+  // The box along the directions of a single frame is the tightest; several frames share the upright box.
   const Frame axes = frames.size() == 1 ? frames[0] : Frame{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const auto along = [](const Frame& frame, const Point& p) {
     return Point{dot(p, frame.right), dot(p, frame.up), dot(p, frame.out)};

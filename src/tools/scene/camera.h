@@ -10,7 +10,7 @@
 
 namespace filmsticking::scene {
 
-/// From where a picture is taken.
+/// Direction of the camera.
 struct Angles {
   double azimuth = 30;    ///< degrees around the upright axis
   double elevation = 20;  ///< degrees above the horizon
@@ -30,14 +30,14 @@ struct Target {
   Point half_size = {0.5, 0.5, 0.5};  ///< to the right, up, out
 };
 
-/// The smallest target that holds the finite ones of all points, seen by each of the frames in turn. One
-/// frame is centred; several share a middle, so that nothing jumps from one to the next.
-Target aim(const std::vector<const std::vector<Point>*>& points, const std::vector<Frame>& frames);
+/// The smallest target that contains all finite points in each of the frames. One frame is centred; several
+/// share a middle, so that the pictures of a turn do not jump.
+Target aim(const std::vector<std::vector<Point>>& points, const std::vector<Frame>& frames);
 
-/// Where the part of a picture for the scene ends, the rest being for a scale bar or a text.
+/// The part of a picture that the scene leaves free, for a scale bar or a text.
 struct Margins {
-  double factor = 1.06;  ///< how much more than the target is seen
-  double right = 0;      ///< share of the width that stays free at the right
+  double factor = 1.06;  ///< size of the view, in sizes of the target
+  double right = 0;      ///< free share of the width, at the right
 };
 
 /// A camera with parallel projection for a scene whose `target.middle` was moved to the origin: large

@@ -14,16 +14,16 @@ using mesh_report::Vec3;
 
 Vec3 vec3(const Point& p) { return {p[0], p[1], p[2]}; }
 
-mesh_report::Surface surface_of(const io::Model& model) {
-  mesh_report::Surface surface = mesh_report::make_surface(model);
+mesh_report::Surface surface_of(const pcl::PolygonMesh& mesh) {
+  mesh_report::Surface surface = mesh_report::make_surface(mesh);
   if (surface.triangles.empty()) throw io::IoError("there is no face with finite corners in it");
   return surface;
 }
 
 }  // namespace
 
-// In the reference's unit box: nothing is lost to large coordinates.
-Deviation::Deviation(const io::Model& reference)
+// In the reference's unit box: large coordinates would cost digits.
+Deviation::Deviation(const pcl::PolygonMesh& reference)
     : frame_(mesh_report::frame_of(surface_of(reference).positions)),
       surface_(frame_.to_unit(surface_of(reference))),
       distance_(surface_) {}
@@ -42,19 +42,21 @@ std::vector<double> Deviation::of_points(const std::vector<Point>& points) const
   return distances;
 }
 
-std::vector<double> Deviation::of_faces(const io::Model& mesh) const {
+std::vector<double> Deviation::of_faces(const pcl::PolygonMesh& mesh) const {
+  const std::vector<Point> positions = io::positions_of(mesh.cloud);
+  const std::vector<Triangle> triangles = io::triangles_of(mesh.polygons);
   std::vector<Point> middles;
-  middles.reserve(mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) {
+  middles.reserve(triangles.size());
+  for (const Triangle& t : triangles) {
     Point middle{};
     for (int k = 0; k < 3; ++k)
-      middle[k] = mesh.positions[t[0]][k] / 3 + mesh.positions[t[1]][k] / 3 + mesh.positions[t[2]][k] / 3;
+      middle[k] = positions[t[0]][k] / 3 + positions[t[1]][k] / 3 + positions[t[2]][k] / 3;
     middles.push_back(middle);
   }
   std::vector<double> faces = of_points(middles);
-  const std::vector<double> corners = of_points(mesh.positions);
+  const std::vector<double> corners = of_points(positions);
   for (std::size_t f = 0; f < faces.size(); ++f)
-    for (const std::int32_t corner : mesh.triangles[f])
+    for (const std::int32_t corner : triangles[f])
       // Written so that a NaN of either is kept.
       if (!(corners[corner] <= faces[f])) faces[f] = std::isnan(faces[f]) ? faces[f] : corners[corner];
   return faces;

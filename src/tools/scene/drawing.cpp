@@ -130,20 +130,21 @@ vtkSmartPointer<vtkScalarsToColors> make_colour_table(double length) {
   return table;
 }
 
-std::vector<vtkSmartPointer<vtkProp>> draw_mesh(const io::Model& mesh, const Values& values,
+std::vector<vtkSmartPointer<vtkProp>> draw_mesh(const pcl::PolygonMesh& mesh, const Values& values,
                                                 const Point& middle, const Style& style) {
-  io::Model finite{centred(mesh.positions, middle), mesh.colours, {}};
+  std::vector<Point> positions = centred(io::positions_of(mesh.cloud), middle);
+  const std::vector<Triangle> triangles = io::triangles_of(mesh.polygons);
+  std::vector<Triangle> finite;
   Values finite_values;
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-    const Triangle& t = mesh.triangles[f];
-    if (!std::all_of(t.begin(), t.end(), [&](std::int32_t i) { return is_finite(mesh.positions[i]); }))
-      continue;
-    finite.triangles.push_back(t);
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    const Triangle& t = triangles[f];
+    if (!std::all_of(t.begin(), t.end(), [&](std::int32_t i) { return is_finite(positions[i]); })) continue;
+    finite.push_back(t);
     if (!values.empty()) finite_values.push_back(values[f]);
   }
-  for (Point& p : finite.positions)
+  for (Point& p : positions)
     if (!is_finite(p)) p = {0, 0, 0};  // of no face; VTK would draw nothing at all for it
-  const vtkSmartPointer<vtkPolyData> surface = io::to_polydata(finite);
+  const vtkSmartPointer<vtkPolyData> surface = io::to_polydata(positions, io::colours_of(mesh.cloud), finite);
   if (!values.empty()) surface->GetCellData()->SetScalars(to_array(finite_values));
   std::vector<vtkSmartPointer<vtkProp>> props{make_surface(surface, values, style)};
   if (style.holes) {
@@ -153,18 +154,21 @@ std::vector<vtkSmartPointer<vtkProp>> draw_mesh(const io::Model& mesh, const Val
   return props;
 }
 
-vtkSmartPointer<vtkProp> draw_points(const io::Model& cloud, const Values& values, const Point& middle,
-                                     const Style& style) {
-  io::Model finite;
+vtkSmartPointer<vtkProp> draw_points(const pcl::PCLPointCloud2& cloud, const Values& values,
+                                     const Point& middle, const Style& style) {
+  const std::vector<Point> positions = io::positions_of(cloud);
+  const std::vector<io::Colour> colours = io::colours_of(cloud);
+  std::vector<Point> finite;
+  std::vector<io::Colour> finite_colours;
   Values finite_values;
-  for (std::size_t i = 0; i < cloud.positions.size(); ++i) {
-    if (!is_finite(cloud.positions[i])) continue;
-    finite.positions.push_back(cloud.positions[i]);
-    if (!cloud.colours.empty()) finite.colours.push_back(cloud.colours[i]);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (!is_finite(positions[i])) continue;
+    finite.push_back(positions[i]);
+    if (!colours.empty()) finite_colours.push_back(colours[i]);
     if (!values.empty()) finite_values.push_back(values[i]);
   }
-  finite.positions = centred(std::move(finite.positions), middle);
-  const vtkSmartPointer<vtkPolyData> points = io::to_polydata(finite);
+  const vtkSmartPointer<vtkPolyData> points =
+      io::to_polydata(centred(std::move(finite), middle), finite_colours, {});
   vtkNew<vtkCellArray> vertices;
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) vertices->InsertNextCell(1, &i);
   points->SetVerts(vertices);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What both programs draw, from models to VTK's actors.
+// What both programs draw: VTK's actors of meshes and clouds.
 #pragma once
 
 #include <vtkProp.h>
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "camera.h"
-#include "io/model.h"
+#include "io/cloud.h"
 
 namespace filmsticking::scene {
 
@@ -32,14 +32,14 @@ struct Style {
 /// NaN.
 vtkSmartPointer<vtkScalarsToColors> make_colour_table(double length);
 
-/// The finite faces of a mesh whose `middle` goes to the origin, and its edges of holes. With `values`, one
-/// for each face, these are the colours of both sides.
-std::vector<vtkSmartPointer<vtkProp>> draw_mesh(const io::Model& mesh, const Values& values,
+/// The finite faces of a mesh, moved so that `middle` is the origin, and the edges of its holes. `values`:
+/// empty, or one a face, shown as colours of both sides.
+std::vector<vtkSmartPointer<vtkProp>> draw_mesh(const pcl::PolygonMesh& mesh, const Values& values,
                                                 const Point& middle, const Style& style);
 
-/// The finite points of a cloud; with `values`, one for each point, these are their colours.
-vtkSmartPointer<vtkProp> draw_points(const io::Model& cloud, const Values& values, const Point& middle,
-                                     const Style& style);
+/// The finite points of a cloud. `values`: empty, or one a point, shown as colours.
+vtkSmartPointer<vtkProp> draw_points(const pcl::PCLPointCloud2& cloud, const Values& values,
+                                     const Point& middle, const Style& style);
 
 /// A text at the lower edge, in the middle; `size` in points.
 vtkSmartPointer<vtkProp> draw_label(const std::string& text, int size = 18);
@@ -47,8 +47,8 @@ vtkSmartPointer<vtkProp> draw_label(const std::string& text, int size = 18);
 /// A text of several lines at the upper left, in a face that keeps columns.
 vtkSmartPointer<vtkProp> draw_help(const std::string& text);
 
-/// The scale of colours with numbers, at the right edge, where Margins::right makes room for it by
-/// scale_bar_share(). `width`: of the picture, in pixels.
+/// The scale of colours with numbers, at the right edge; scale_bar_share() is its Margins::right. `width`: of
+/// the picture, in pixels.
 vtkSmartPointer<vtkProp> draw_scale_bar(const std::string& title, double length, double width);
 double scale_bar_share(double width);
 

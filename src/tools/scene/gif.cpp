@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kColours = 256;
 
-/// Closes what is still open after an exception.
+/// Closes the file after an exception.
 struct Closer {
   void operator()(GifFileType* gif) const { EGifCloseFile(gif, nullptr); }
 };
@@ -51,7 +51,7 @@ std::unique_ptr<ColorMapObject, MapFreer> make_map(vtkLookupTable* table) {
   return map;
 }
 
-/// Netscape's extension, which all viewers know: repeat for ever.
+/// Netscape's extension, which all viewers know: repeat without end.
 void put_loop(GifFileType* gif) {
   const GifByteType for_ever[] = {1, 0, 0};
   check(EGifPutExtensionLeader(gif, APPLICATION_EXT_FUNC_CODE) == GIF_OK &&
@@ -71,7 +71,7 @@ void put_delay(GifFileType* gif, int hundredths) {
 
 std::string encode_gif(const std::vector<vtkSmartPointer<vtkImageData>>& pictures,
                        double pictures_per_second) {
-  // All pictures one above the other, so that one choice of colours serves all: nothing flickers.
+  // One choice of colours for all pictures, which are stacked for it: separate ones would flicker.
   vtkNew<vtkImageAppend> all;
   all->SetAppendAxis(1);
   for (const auto& picture : pictures) all->AddInputData(picture);
@@ -99,7 +99,7 @@ std::string encode_gif(const std::vector<vtkSmartPointer<vtkImageData>>& picture
     for (int y = height - 1; y >= 0; --y) {  // VTK's pictures start at the bottom
       const auto* row = static_cast<const unsigned char*>(
           indices->GetScalarPointer(0, static_cast<int>(i) * height + y, 0));
-      std::copy_n(row, width, line.begin());  // the library wants to be able to change it
+      std::copy_n(row, width, line.begin());  // the library takes no constant line
       check(EGifPutLine(gif.get(), line.data(), width) == GIF_OK);
     }
   }

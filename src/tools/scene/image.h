@@ -10,8 +10,8 @@
 
 namespace filmsticking::scene {
 
-/// A connection to the X display. While there is one, windows can be opened: VTK would end the program where
-/// no display can be reached, and Xvfb starts anew, deaf for a moment, when its last client leaves.
+/// A connection to the X display, to be held while windows are open. VTK ends the program where it reaches no
+/// display, and Xvfb restarts, and refuses clients for a moment, when its last client leaves.
 class DisplayConnection {
  public:
   /// Throws io::IoError.
@@ -24,14 +24,14 @@ class DisplayConnection {
   void* display_;
 };
 
-/// What the window shows, in red, green and blue. A copy: the next picture leaves it alone.
+/// A copy of the picture in the window, in red, green and blue.
 vtkSmartPointer<vtkImageData> grab(vtkRenderWindow* window);
 
 /// The bytes of a PNG file.
 std::string encode_png(vtkImageData* image);
 
-/// The bytes of an animated GIF file that repeats for ever, with 256 colours for all pictures together. They
-/// have one size, up to 65535 a side. Throws io::IoError.
+/// The bytes of an animated GIF file that repeats without end, with 256 colours for all pictures together.
+/// The pictures have one size, up to 65535 a side. Throws io::IoError.
 std::string encode_gif(const std::vector<vtkSmartPointer<vtkImageData>>& pictures,
                        double pictures_per_second);
 

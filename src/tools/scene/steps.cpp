@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "io/model_file.h"
+#include "io/formats.h"
 #include "io/with_file.h"
 
 namespace fs = std::filesystem;

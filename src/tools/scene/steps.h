@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <pcl/PolygonMesh.h>
+
 #include <string>
 #include <vector>
 
-#include "io/model.h"
-
 namespace filmsticking::scene {
 
-/// A film of an evolution.
+/// The film after one step.
 struct Step {
   std::string name;  ///< of its file
-  io::Model film;
+  pcl::PolygonMesh film;
 };
 
 /// The meshes step_*.ply of a folder, as pcd_to_mesh --dump-steps writes them, in the order of their names.
-/// Throws io::IoError, with the name of what is at fault.
+/// Throws io::IoError with the file's name.
 std::vector<Step> read_steps(const std::string& folder);
 
 }  // namespace filmsticking::scene

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "io/files.h"
-#include "io/format.h"
+#include "io/formats.h"
+#include "support/model.h"
 #include "support/scratch_folder.h"
 
 namespace filmsticking::test {
@@ -68,12 +69,12 @@ inline std::vector<Sample> samples() {
     samples.push_back({"ply_" + format, ".ply", bytes});
   }
 
-  io::Model mesh;
+  Model mesh;
   for (const auto& p : xyz) mesh.positions.push_back({p[0], p[1], p[2]});
   for (const auto& face : faces) mesh.triangles.push_back({face[0], face[1], face[2]});
-  samples.push_back({"stl_binary", ".stl", io::encode_model("stl", mesh)});
+  samples.push_back({"stl_binary", ".stl", io::encode_mesh("stl", mesh)});
   mesh.positions[3][2] = 0.1;  // no float
-  samples.push_back({"stl_text", ".stl", io::encode_model("stl", mesh)});
+  samples.push_back({"stl_text", ".stl", io::encode_mesh("stl", mesh)});
   return samples;
 }
 

@@ -6,14 +6,14 @@
 
 #include <chrono>
 
-#include "io/format.h"
+#include "io/formats.h"
 #include "io/io_error.h"
+#include "support/model.h"
 
 namespace filmsticking::test {
 namespace {
 
 using io::IoError;
-using io::Model;
 
 /// Whether something in it, after a part of a word, is more than blanks: without that, a text that is cut off
 /// looks whole.
@@ -26,13 +26,12 @@ TEST(BrokenFiles, TheSamplesAreWhole) {
   for (const Sample& sample : samples()) {
     SCOPED_TRACE(sample.name);
     EXPECT_EQ(io::detect_format(sample.bytes), sample.extension.substr(1));
-    const Model model = io::decode_cloud(sample.extension.substr(1), sample.bytes);
+    const Model model = io::decode_mesh(sample.extension.substr(1), sample.bytes);
     EXPECT_EQ(model.positions.size(), sample.extension == ".stl" ? 4u : 5u);  // the corners alone
     EXPECT_EQ(model.triangles.size(), sample.extension == ".pcd" ? 0u : 4u);
     EXPECT_EQ(model.colours.size(), sample.extension == ".stl" ? 0u : 5u);
-    const Model handed_over = io::decode_cloud(sample.extension.substr(1), std::string(sample.bytes));
-    EXPECT_EQ(handed_over.positions, model.positions);
-    EXPECT_EQ(handed_over.colours, model.colours);
+    EXPECT_EQ(io::decode_cloud(sample.extension.substr(1), sample.bytes).points.data,
+              io::decode_mesh(sample.extension.substr(1), sample.bytes).cloud.data);
   }
 }
 
@@ -55,9 +54,9 @@ TEST(BrokenFiles, WhatComesBeforeTheEndOfAListOfLinesIsRead) {
   const std::string obj = "v 0.5 0 0\nv 1.25 0 0\nv 0 1.5 0\nv 0 0 2.25\nf 1 3 2\nf 1 2 4\n",
                     xyz = "0.5 0 0\n1.25 0 0\n0 1.5 0\n0 0 2.25\n";
   for (const auto& [format, bytes] : {std::pair<std::string, std::string>{"obj", obj}, {"xyz", xyz}}) {
-    const Model whole = io::decode_cloud(format, bytes);
+    const Model whole = io::decode_mesh(format, bytes);
     for (std::size_t size = 0; size < bytes.size(); ++size) try {
-        const Model part = io::decode_cloud(format, std::string_view(bytes).substr(0, size));
+        const Model part = io::decode_mesh(format, std::string_view(bytes).substr(0, size));
         ASSERT_LE(part.positions.size(), whole.positions.size());
         ASSERT_LE(part.triangles.size(), whole.triangles.size());
         for (std::size_t i = 0; i + 1 < part.positions.size(); ++i)

@@ -9,14 +9,15 @@
 #include <fstream>
 #include <limits>
 
+#include "io/formats.h"
 #include "io/io_error.h"
-#include "io/model_file.h"
 #include "scene/camera.h"
 #include "scene/deviation.h"
 #include "scene/drawing.h"
 #include "scene/image.h"
 #include "scene/steps.h"
 #include "support/clouds.h"
+#include "support/model.h"
 #include "support/scratch_folder.h"
 
 namespace filmsticking::test {
@@ -29,7 +30,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// Two triangles, the square from 0 to `side` at height z, seen from above.
-io::Model square(double side, double z) {
+Model square(double side, double z) {
   return {{{0, 0, z}, {side, 0, z}, {side, side, z}, {0, side, z}}, {}, {{0, 1, 2}, {0, 2, 3}}};
 }
 
@@ -55,7 +56,7 @@ TEST(Camera, AimsTightlyAndLeavesOutWhatIsNotFinite) {
   points.push_back({kNan, 0, 0});
   points.push_back({0, -std::numeric_limits<double>::infinity(), 0});
   const std::vector<Frame> one{scene::make_frame({30, 20, false})};
-  const scene::Target still = scene::aim({&points}, one);
+  const scene::Target still = scene::aim({points}, one);
   for (int k = 0; k < 3; ++k) {
     EXPECT_NEAR(still.half_size[k], 2, 0.05);
     EXPECT_LT(still.half_size[k], 2);
@@ -66,7 +67,7 @@ TEST(Camera, AimsTightlyAndLeavesOutWhatIsNotFinite) {
   std::vector<Point> rod{{0, 0, 0}, {10, 1, 0}, {4, 0.5, 2}};
   std::vector<Frame> turn;
   for (int i = 0; i < 8; ++i) turn.push_back(scene::make_frame({45.0 * i, 20, false}));
-  const scene::Target target = scene::aim({&rod}, turn);
+  const scene::Target target = scene::aim({rod}, turn);
   for (const Frame& frame : turn)
     for (Point p : rod) {
       for (int k = 0; k < 3; ++k) p[k] -= target.middle[k];
@@ -79,7 +80,7 @@ TEST(Camera, AimsTightlyAndLeavesOutWhatIsNotFinite) {
 }
 
 TEST(Deviation, IsTheDistanceToTheReference) {
-  const io::Model reference = square(4, 0);
+  const Model reference = square(4, 0);
   const scene::Deviation deviation(reference);
   const std::vector<double> points =
       deviation.of_points({{1, 1, 0.5}, {2, 2, -3}, {7, 8, 0}, {kNan, 0, 0}, {4, 4, 0}});
@@ -92,9 +93,9 @@ TEST(Deviation, IsTheDistanceToTheReference) {
 
 TEST(Deviation, OfAFaceIsTheLargestOfCornersAndMiddle) {
   // The base of a roof has its corners on it and its middles away from it.
-  io::Model roof{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 3}}, {}, {}};
+  Model roof{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 3}}, {}, {}};
   roof.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
-  io::Model base = square(2, 0);
+  Model base = square(2, 0);
   base.positions.push_back({1, 1, 7});
   base.positions.push_back({kNan, 1, 1});
   base.triangles.push_back({0, 1, 4});
@@ -108,15 +109,15 @@ TEST(Deviation, OfAFaceIsTheLargestOfCornersAndMiddle) {
 }
 
 TEST(Deviation, KeepsItsDigitsFarOut) {
-  io::Model near = square(1, 0), far = near;
+  Model near = square(1, 0), far = near;
   for (Point& p : far.positions) p = {p[0] + 4e6, p[1] + 5e6, p[2]};
   EXPECT_NEAR(scene::Deviation(far).of_points({{4e6 + 0.5, 5e6 + 0.5, 1e-3}})[0], 1e-3, 1e-9);
 }
 
 TEST(Deviation, RefusesAReferenceWithoutFiniteFaces) {
-  io::Model broken = square(1, kNan);
+  Model broken = square(1, kNan);
   EXPECT_THROW(scene::Deviation{broken}, io::IoError);
-  EXPECT_THROW(scene::Deviation{io::Model{}}, io::IoError);
+  EXPECT_THROW(scene::Deviation{Model{}}, io::IoError);
 }
 
 TEST(ScaleLength, IsRoundAndForgetsStrays) {
@@ -160,7 +161,7 @@ TEST(Steps, ComeInTheirOrderAndNameWhatIsBroken) {
   EXPECT_THROW(scene::read_steps(folder / "missing"), io::IoError);
   EXPECT_THROW(scene::read_steps(folder.path().string()), io::IoError);
   for (const char* name : {"step_010.ply", "step_1000.ply", "step_002.ply", "other.ply"})
-    io::write_model(folder / name, square(1, name[6] - '0'));
+    io::write_mesh(folder / name, square(1, name[6] - '0'));
   const std::vector<scene::Step> steps = scene::read_steps(folder.path().string());
   ASSERT_EQ(steps.size(), 3u);
   EXPECT_EQ(steps[0].name, "step_002.ply");

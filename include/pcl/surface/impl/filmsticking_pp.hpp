@@ -106,23 +106,47 @@ void pcl::FilmstickingPP<PointInT>::reconstruct(pcl::PointCloud<PointInT>& point
 }
 
 template <typename PointInT>
+void pcl::FilmstickingPP<PointInT>::reconstruct(pcl::PCLPointCloud2& vertices,
+                                                std::vector<filmsticking::Triangle>& triangles) {
+  // Built aside, then handed over: the caller's vertices may be the input blob itself.
+  pcl::PCLPointCloud2 result_vertices;
+  std::vector<filmsticking::Triangle> result_triangles;
+  guarded([&] {
+    if (computeTriangles(result_triangles)) copyVertices(result_vertices);
+  });
+  if (status_ != Status::Ok) {
+    result_vertices = pcl::PCLPointCloud2();
+    result_vertices.header = inputHeader();
+    result_triangles.clear();
+  }
+  vertices = std::move(result_vertices);
+  triangles = std::move(result_triangles);
+}
+
+template <typename PointInT>
 void pcl::FilmstickingPP<PointInT>::performReconstruction(pcl::PolygonMesh& output) {
-  if (!computeTriangles(output.polygons)) return;
-  if (blob_)
-    detail::copyPoints(*blob_, vertex_indices_, output.cloud);
-  else
-    detail::copyPoints(*input_, vertex_indices_, output.cloud);
+  if (!computePolygons(output.polygons)) return;
+  copyVertices(output.cloud);
   output.header = output.cloud.header;
+}
+
+template <typename PointInT>
+void pcl::FilmstickingPP<PointInT>::copyVertices(pcl::PCLPointCloud2& vertices) const {
+  if (blob_)
+    detail::copyPoints(*blob_, vertex_indices_, vertices);
+  else
+    detail::copyPoints(*input_, vertex_indices_, vertices);
 }
 
 template <typename PointInT>
 void pcl::FilmstickingPP<PointInT>::performReconstruction(pcl::PointCloud<PointInT>& points,
                                                           std::vector<pcl::Vertices>& polygons) {
-  if (!computeTriangles(polygons)) return;
+  if (!computePolygons(polygons)) return;
   points.clear();
   if (blob_) {
     pcl::PCLPointCloud2 vertices;
-    detail::copyPoints(*blob_, vertex_indices_, vertices);
+    copyVertices(vertices);
+    detail::toSinglePrecision(vertices);
     pcl::fromPCLPointCloud2(vertices, points);
   } else {
     points.header = input_->header;
@@ -135,11 +159,24 @@ void pcl::FilmstickingPP<PointInT>::performReconstruction(pcl::PointCloud<PointI
 }
 
 template <typename PointInT>
-bool pcl::FilmstickingPP<PointInT>::computeTriangles(std::vector<pcl::Vertices>& polygons) {
+bool pcl::FilmstickingPP<PointInT>::computePolygons(std::vector<pcl::Vertices>& polygons) {
+  std::vector<filmsticking::Triangle> triangles;
+  if (!computeTriangles(triangles)) return false;
+  polygons.resize(triangles.size());
+  for (std::size_t t = 0; t < polygons.size(); ++t)
+    polygons[t].vertices.assign(triangles[t].begin(), triangles[t].end());
+  return true;
+}
+
+template <typename PointInT>
+bool pcl::FilmstickingPP<PointInT>::computeTriangles(std::vector<filmsticking::Triangle>& triangles) {
   filmsticking::Execution execution;
   execution.progress = progress_callback_;
-  execution.cancel = &cancel_.raised;
-  filmsticking::Result result = blob_ ? computeResultOfBlob(execution) : computeResult(execution);
+  execution.on_step = step_callback_;
+  execution.cancel = cancel_flag_ ? cancel_flag_ : &cancel_.raised;
+  filmsticking::Result result = !blob_                       ? computeResult(execution)
+                                : detail::hasDoubles(*blob_) ? computeResultOfBlob<double>(execution)
+                                                             : computeResultOfBlob<float>(execution);
   report_ = std::move(result.report);
   if (result.status != Status::Ok) {
     fail(result.status, result.message.empty() ? filmsticking::describe(result.status) : result.message);
@@ -148,9 +185,7 @@ bool pcl::FilmstickingPP<PointInT>::computeTriangles(std::vector<pcl::Vertices>&
   vertex_indices_.reserve(result.vertices.size());
   for (const std::int32_t position : result.vertices) vertex_indices_.push_back((*indices_)[position]);
   face_gaps_ = std::move(result.gaps);
-  polygons.resize(result.triangles.size());
-  for (std::size_t t = 0; t < polygons.size(); ++t)
-    polygons[t].vertices.assign(result.triangles[t].begin(), result.triangles[t].end());
+  triangles = std::move(result.triangles);
   status_ = Status::Ok;
   return true;
 }
@@ -180,6 +215,7 @@ filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResult(
 }
 
 template <typename PointInT>
+template <typename Real>
 filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResultOfBlob(
     const filmsticking::Execution& execution) const {
   Options options = options_;
@@ -190,29 +226,30 @@ filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResultOfBlob(
   // Rows may be padded: points are at multiples of this, not at a constant step.
   const std::size_t unit = std::gcd<std::size_t>(blob.point_step, blob.row_step);
   const std::size_t units = blob.data.size() / unit;
-  if (!indices_->empty() && y == x + sizeof(float) && z == y + sizeof(float) &&
+  if (!indices_->empty() && y == x + sizeof(Real) && z == y + sizeof(Real) &&
       units <= static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
     std::vector<std::int32_t> places;
     places.reserve(indices_->size());
     for (const pcl::index_t index : *indices_)
       places.push_back(static_cast<std::int32_t>(detail::placeOf(blob, index) / unit));
-    const filmsticking::PointsView view(reinterpret_cast<const float*>(&blob.data[x]), unit, units);
+    const filmsticking::PointsView view(reinterpret_cast<const Real*>(&blob.data[x]), unit, units);
     return filmsticking::reconstruct(view.at(places), options, execution);
   }
   std::vector<filmsticking::Point> positions;
   positions.reserve(indices_->size());
   for (const pcl::index_t index : *indices_) {
     const std::uint8_t* point = &blob.data[detail::placeOf(blob, index)];
-    positions.push_back({detail::floatAt(point + x), detail::floatAt(point + y), detail::floatAt(point + z)});
+    positions.push_back(
+        {detail::realAt<Real>(point + x), detail::realAt<Real>(point + y), detail::realAt<Real>(point + z)});
   }
   return filmsticking::reconstruct(positions, options, execution);
 }
 
 template <typename PointInT>
-filmsticking::Point pcl::FilmstickingPP<PointInT>::viewPoint() const {
-  if (options_.viewpoint) return *options_.viewpoint;
-  if (!input_) return {0, 0, 0};
-  return {input_->sensor_origin_[0], input_->sensor_origin_[1], input_->sensor_origin_[2]};
+std::optional<filmsticking::Point> pcl::FilmstickingPP<PointInT>::viewPoint() const {
+  if (options_.viewpoint || !try_sensor_origin_) return options_.viewpoint;
+  if (!input_) return filmsticking::Point{0, 0, 0};
+  return filmsticking::Point{input_->sensor_origin_[0], input_->sensor_origin_[1], input_->sensor_origin_[2]};
 }
 
 template <typename PointInT>

@@ -23,11 +23,16 @@ namespace detail {
  * pcl::fromPCLPointCloud2() trusts the sizes that a blob tells; after this check it may.
  */
 inline std::string blobFault(const pcl::PCLPointCloud2& blob) {
-  for (const char* name : {"x", "y", "z"})
-    if (std::none_of(blob.fields.begin(), blob.fields.end(), [name](const pcl::PCLPointField& field) {
-          return field.name == name && field.datatype == pcl::PCLPointField::FLOAT32 && field.count <= 1;
-        }))
-      return std::string("the blob has no field ") + name + " of type FLOAT32";
+  int doubles = 0;
+  for (const char* name : {"x", "y", "z"}) {
+    const auto field = std::find_if(blob.fields.begin(), blob.fields.end(),
+                                    [name](const pcl::PCLPointField& f) { return f.name == name; });
+    if (field == blob.fields.end() || field->count > 1 ||
+        (field->datatype != pcl::PCLPointField::FLOAT32 && field->datatype != pcl::PCLPointField::FLOAT64))
+      return std::string("the blob has no field ") + name + " of type FLOAT32 or FLOAT64";
+    doubles += field->datatype == pcl::PCLPointField::FLOAT64 ? 1 : 0;
+  }
+  if (doubles % 3 != 0) return "the fields x, y and z of the blob are not of one type";
   for (const pcl::PCLPointField& field : blob.fields) {
     const std::uint64_t bytes = static_cast<std::uint64_t>(std::max(0, pcl::getFieldSize(field.datatype))) *
                                 std::max(1u, field.count);
@@ -50,17 +55,40 @@ inline std::size_t offsetOf(const pcl::PCLPointCloud2& blob, const char* name) {
       ->offset;
 }
 
+/** \brief Whether x, y and z are of type FLOAT64; \a blob has no blobFault(). */
+inline bool hasDoubles(const pcl::PCLPointCloud2& blob) {
+  return std::any_of(blob.fields.begin(), blob.fields.end(), [](const pcl::PCLPointField& field) {
+    return field.name == "x" && field.datatype == pcl::PCLPointField::FLOAT64;
+  });
+}
+
 /** \brief Where in the bytes of \a blob its point \a index begins. */
 inline std::size_t placeOf(const pcl::PCLPointCloud2& blob, pcl::index_t index) {
   const std::size_t row = index / blob.width, column = index % blob.width;
   return row * blob.row_step + column * blob.point_step;
 }
 
-/** \brief The float whose bytes begin at \a place, which may be any. */
-inline float floatAt(const std::uint8_t* place) {
-  float value;
+/** \brief The number whose bytes begin at \a place, which may be any. */
+template <typename Real>
+Real realAt(const std::uint8_t* place) {
+  Real value;
   std::memcpy(&value, place, sizeof value);
   return value;
+}
+
+/** \brief Round x, y and z of type FLOAT64 to FLOAT32, in which PCL's point types have them.
+ * \param[in,out] blob one row without padding, and no blobFault()
+ */
+inline void toSinglePrecision(pcl::PCLPointCloud2& blob) {
+  for (pcl::PCLPointField& field : blob.fields) {
+    if (field.datatype != pcl::PCLPointField::FLOAT64) continue;
+    if (field.name != "x" && field.name != "y" && field.name != "z") continue;
+    field.datatype = pcl::PCLPointField::FLOAT32;
+    for (std::size_t at = field.offset; at < blob.data.size(); at += blob.point_step) {
+      const auto rounded = static_cast<float>(realAt<double>(&blob.data[at]));
+      std::memcpy(&blob.data[at], &rounded, sizeof rounded);
+    }
+  }
 }
 
 /** \brief Copy points with all their bytes.

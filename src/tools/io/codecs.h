@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One decoder and one encoder a format. Decoders take bytes from anywhere: broken ones give an IoError.
+// Polygons become fans of triangles whose corners are vertices of the mesh.
+#pragma once
+
+#include <pcl/PolygonMesh.h>
+
+#include <string_view>
+#include <vector>
+
+#include "bytes.h"
+#include "cloud.h"
+
+namespace filmsticking::io {
+
+/// A PCD file (ascii, binary, binary_compressed) with all fields. x, y, z of other types than FLOAT32 become
+/// FLOAT64. The order of the header's lines is free.
+Cloud decode_pcd(std::string_view bytes);
+
+/// A PLY file (ascii, binary of either byte order) with all scalar properties of the vertices, under their
+/// names and types. Byte properties red, green, blue become PCL's field rgb, or rgba with alpha; nx, ny, nz
+/// become normal_x, normal_y, normal_z. x, y, z of other types than float become FLOAT64. Lists of vertices
+/// and other elements are skipped.
+pcl::PolygonMesh decode_ply(std::string_view bytes);
+
+/// Vertices, with colours where every vertex has one, and faces of a Wavefront OBJ file.
+pcl::PolygonMesh decode_obj(std::string_view bytes);
+
+/// An STL file, binary or text; equal corners become one vertex.
+pcl::PolygonMesh decode_stl(std::string_view bytes);
+
+/// Points, polygons and triangle strips of a legacy VTK file of polygonal data, text or binary, up to version
+/// 5.1. The first scalars of three or four unsigned bytes are colours. All else is skipped.
+/// Source of the format: "VTK File Formats" of the VTK User's Guide.
+pcl::PolygonMesh decode_vtk(std::string_view bytes);
+
+/// A text with one point a line: x, y, z, and anything after them, separated by blanks, commas or semicolons.
+/// Lines that begin with # or //, empty lines, and a heading before the first point are skipped. Columns 4 to
+/// 6 are colours if they are whole numbers from 0 to 255 in every line and more than 0 and 1 occur.
+Cloud decode_xyz(std::string_view bytes);
+
+/// A binary little-endian PLY file with all fields of the vertices: the inverse of decode_ply(). Coordinates
+/// are float where that keeps every value, else double. 64-bit integers, which PLY lacks, become double.
+void encode_ply(const pcl::PCLPointCloud2& vertices, const std::vector<Triangle>& triangles, ByteWriter& out);
+
+/// A Wavefront OBJ file with colours; every coordinate in the shortest text that reads back the same.
+void encode_obj(const pcl::PCLPointCloud2& vertices, const std::vector<Triangle>& triangles, ByteWriter& out);
+
+/// An STL file: binary where single precision, all that it has, keeps every coordinate; else text.
+void encode_stl(const pcl::PCLPointCloud2& vertices, const std::vector<Triangle>& triangles, ByteWriter& out);
+
+/// A binary legacy VTK file (version 4.2, which all readers know) with double coordinates and colours.
+void encode_vtk(const pcl::PCLPointCloud2& vertices, const std::vector<Triangle>& triangles, ByteWriter& out);
+
+/// A binary glTF 2.0 file with positions, triangles and colours, these in linear light as glTF has them. Its
+/// coordinates have single precision; where that is not enough, they count from the middle of the box, to
+/// which the mesh's node is moved. Throws IoError for a mesh without triangles, or a coordinate that is not
+/// finite or out of range.
+void encode_glb(const pcl::PCLPointCloud2& vertices, const std::vector<Triangle>& triangles, ByteWriter& out);
+
+/// Appends a polygon as a fan of triangles.
+void append_polygon(const std::vector<std::int32_t>& corners, std::vector<Triangle>& triangles);
+
+/// A file's number of a vertex, from zero. Throws IoError if it cannot be one.
+std::int32_t corner_index(double value);
+
+/// Refuses corners that are no vertices; at the end, as faces may come before points. Throws IoError.
+void check_corners(const std::vector<Triangle>& triangles, std::size_t vertices);
+
+}  // namespace filmsticking::io

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of points and of meshes: by their extension, or by a format's name where bytes have no file name.
+#pragma once
+
+#include <pcl/PolygonMesh.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bytes.h"
+#include "cloud.h"
+
+namespace filmsticking::io {
+
+/// The formats of points, as extensions without a dot: pcd ply obj stl xyz txt.
+const std::vector<std::string>& cloud_formats();
+
+/// The formats that encode_mesh() writes: ply obj stl vtk glb.
+const std::vector<std::string>& mesh_formats();
+
+/// The format of points that the bytes begin like; empty if none. Text of numbers is xyz.
+std::string detect_format(std::string_view bytes);
+
+/// Points, with all their fields, of a format of cloud_formats() or vtk. Throws IoError.
+Cloud decode_cloud(const std::string& format, std::string_view bytes);
+
+/// The same with the triangles, if any.
+pcl::PolygonMesh decode_mesh(const std::string& format, std::string_view bytes);
+
+/// Sends the bytes of a file of a format of mesh_formats(). Every coordinate reads back as the same number,
+/// but for glb. PLY keeps all fields, the others colours alone, STL none. Throws IoError, at a mesh that the
+/// format cannot hold before anything is sent.
+void encode_mesh(const std::string& format, const pcl::PCLPointCloud2& vertices,
+                 const std::vector<Triangle>& triangles, const ByteSink& sink);
+
+/// The same bytes in one piece.
+std::string encode_mesh(const std::string& format, const pcl::PolygonMesh& mesh);
+
+/// Reads points from .pcd, .ply, .obj, .stl (the vertices of a mesh), .xyz or .txt, with all their fields.
+/// Broken files are refused, and so are files without points and files of more bytes than `most`, as by
+/// read_file(). Throws IoError.
+Cloud read_cloud(const std::string& path, std::int64_t most = 0);
+
+/// Reads a mesh of triangles from .ply, .obj, .stl or .vtk, its vertices with all their fields. A file
+/// without triangles is refused. Throws IoError.
+pcl::PolygonMesh read_mesh(const std::string& path);
+
+/// Reads points, a mesh or nothing from a file that read_cloud() or read_mesh() takes. Throws IoError.
+pcl::PolygonMesh read_model(const std::string& path);
+
+/// Whether write_mesh() knows the path's extension: .ply, .obj, .stl, .vtk or .glb.
+bool can_write_mesh(const std::string& path);
+
+/// Writes a file as encode_mesh() does. Throws IoError.
+void write_mesh(const std::string& path, const pcl::PCLPointCloud2& vertices,
+                const std::vector<Triangle>& triangles);
+void write_mesh(const std::string& path, const pcl::PolygonMesh& mesh);
+
+}  // namespace filmsticking::io
