@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// filmsticking_node: sensor_msgs/PointCloud2 in, closed meshes out. The work is stream::Mesher's; here are
-// the topics, services, parameters and diagnostics of ROS 1.
+// filmsticking_node: sensor_msgs/PointCloud2 in, closed meshes out. stream::LiveMesher does the work; this
+// file has the topics, services, parameters and diagnostics of ROS 1.
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <dynamic_reconfigure/server.h>
 #include <geometry_msgs/TransformStamped.h>
+#include <pcl/console/print.h>
 #include <pcl_msgs/PolygonMesh.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -25,9 +26,9 @@
 #include "conversions.h"
 #include "filmsticking_pp/FilmstickingConfig.h"
 #include "filters/filter_options.h"
+#include "io/formats.h"
 #include "io/io_error.h"
-#include "io/model_file.h"
-#include "stream/live_frame.h"
+#include "stream/frame_points.h"
 #include "stream/live_mesher.h"
 
 namespace {
@@ -36,7 +37,7 @@ using namespace filmsticking;
 using namespace filmsticking::stream;
 using filmsticking_pp::FilmstickingConfig;
 
-/// Clouds that may wait to be taken, and for their transforms; the oldest are dropped.
+/// Clouds that wait for the node, and for their transforms; beyond these the oldest are dropped.
 constexpr int kQueue = 10;
 
 /// Throws FilterError.
@@ -59,11 +60,11 @@ Settings settings_of(const FilmstickingConfig& config) {
   return settings;
 }
 
-std::string summary_of(const Outcome& outcome) {
+std::string summary_of(const LiveOutcome& outcome) {
   char text[200];
   std::snprintf(text, sizeof text, "a %s mesh of %zu vertices and %zu triangles from %ld points in %.2f s",
-                outcome.report.closed ? "closed" : "open", outcome.mesh.positions.size(),
-                outcome.mesh.triangles.size(), static_cast<long>(outcome.points), outcome.seconds);
+                outcome.report.closed ? "closed" : "open", io::size_of(outcome.mesh.cloud),
+                outcome.mesh.polygons.size(), static_cast<long>(outcome.points), outcome.seconds);
   return text;
 }
 
@@ -74,7 +75,7 @@ class Node {
         transformed_(buffer_, "", kQueue, ros::getGlobalCallbackQueue()),
         mesh_publisher_(private_.advertise<pcl_msgs::PolygonMesh>("mesh", 1, true)),
         marker_publisher_(private_.advertise<visualization_msgs::Marker>("marker", 1, true)),
-        mesher_([this](const Outcome& outcome) { publish(outcome); }),
+        mesher_([this](const LiveOutcome& outcome) { publish(outcome); }),
         patient_spinner_(1, &patient_queue_) {
     updater_.setHardwareID("none");
     updater_.add("reconstruction", this, &Node::diagnose);
@@ -90,12 +91,12 @@ class Node {
     input_ = private_.subscribe<sensor_msgs::PointCloud2>(
         "input", kQueue, [this](const sensor_msgs::PointCloud2ConstPtr& cloud) { receive(cloud); });
     timer_ = private_.createWallTimer(ros::WallDuration(0.05), [this](const ros::WallTimerEvent&) {
-      mesher_.tick(Mesher::Clock::now());
+      mesher_.tick(LiveMesher::Clock::now());
       updater_.update();
     });
     reset_service_ = private_.advertiseService("reset", &Node::reset, this);
 
-    // These two take their time, so they have a thread of their own.
+    // These two may take long, so they have a thread of their own.
     ros::NodeHandle patient("~");
     patient.setCallbackQueue(&patient_queue_);
     reconstruct_service_ = patient.advertiseService("reconstruct", &Node::reconstruct, this);
@@ -104,7 +105,7 @@ class Node {
   }
 
   ~Node() {
-    mesher_.stop();  // lets a service go that waits
+    mesher_.stop();  // ends the wait of a service
     patient_spinner_.stop();
   }
 
@@ -141,21 +142,17 @@ class Node {
     transformed_.add(cloud);
   }
 
-  /// Adds a cloud for which there is a transform.
+  /// Adds a cloud that has a transform.
   void take(const sensor_msgs::PointCloud2& cloud) {
     try {
-      io::Model frame = to_model(cloud);
-      frame.viewpoint = Point{0, 0, 0};  // of a sensor's own frame
-      keep_range(frame, config_.min_range, config_.max_range);
+      Frame frame;
+      frame.cloud = in_range(to_cloud(cloud), config_.min_range, config_.max_range);
       if (cloud.header.frame_id != frame_id_)
-        move(
-            frame,
-            to_pose(buffer_.lookupTransform(frame_id_, cloud.header.frame_id, cloud.header.stamp).transform));
+        frame.sensor_pose =
+            to_pose(buffer_.lookupTransform(frame_id_, cloud.header.frame_id, cloud.header.stamp).transform);
       mesher_.add(frame, {frame_id_, static_cast<std::int64_t>(cloud.header.stamp.toNSec())},
-                  Mesher::Clock::now());
-    } catch (const MessageError& error) {
-      drop(error.what());
-    } catch (const tf2::TransformException& error) {
+                  LiveMesher::Clock::now());
+    } catch (const std::runtime_error& error) {  // of the message or its transform
       drop(error.what());
     }
   }
@@ -166,18 +163,17 @@ class Node {
   }
 
   /// Called from the mesher's thread.
-  void publish(const Outcome& outcome) {
+  void publish(const LiveOutcome& outcome) {
     if (outcome.status != Status::Ok) {
       ROS_WARN_THROTTLE(5, "No mesh: %s.", outcome.message.c_str());
       return;
     }
     const ros::Time stamp = ros::Time().fromNSec(static_cast<std::uint64_t>(outcome.origin.stamp));
     pcl_msgs::PolygonMesh mesh;
-    to_polygon_mesh(outcome.mesh, mesh);
+    pcl_conversions::fromPCL(outcome.mesh, mesh);
     mesh.header.frame_id = mesh.cloud.header.frame_id = outcome.origin.frame_id;
     mesh.header.stamp = mesh.cloud.header.stamp = stamp;
-    visualization_msgs::Marker marker;
-    to_marker(outcome.mesh, marker);
+    visualization_msgs::Marker marker = to_marker(outcome.mesh);
     marker.header = mesh.header;
     mesh_publisher_.publish(mesh);
     marker_publisher_.publish(marker);
@@ -185,8 +181,8 @@ class Node {
   }
 
   bool reconstruct(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-    const Mesher::Ticket ticket = mesher_.request();
-    const std::shared_ptr<const Outcome> outcome = ticket > 0 ? mesher_.wait(ticket) : nullptr;
+    const LiveMesher::Ticket ticket = mesher_.request();
+    const std::shared_ptr<const LiveOutcome> outcome = ticket > 0 ? mesher_.wait(ticket) : nullptr;
     response.success = outcome && outcome->status == Status::Ok;
     response.message = ticket == 0         ? "no points have come yet"
                        : !outcome          ? "cancelled"
@@ -208,11 +204,11 @@ class Node {
       const std::lock_guard<std::mutex> lock(save_path_mutex_);
       return save_path_;
     }();
-    const std::shared_ptr<const Outcome> outcome = mesher_.last_mesh();
+    const std::shared_ptr<const LiveOutcome> outcome = mesher_.last_mesh();
     try {
       if (!outcome) throw io::IoError("there is no mesh yet");
-      if (!io::can_write_model(path)) throw io::IoError("its extension is none of .ply .obj .stl .vtk .glb");
-      io::write_model(path, outcome->mesh);
+      if (!io::can_write_mesh(path)) throw io::IoError("its extension is none of .ply .obj .stl .vtk .glb");
+      io::write_mesh(path, outcome->mesh);
       response.success = true;
       response.message = "wrote " + std::filesystem::absolute(path).string();
     } catch (const std::exception& error) {
@@ -223,7 +219,7 @@ class Node {
 
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
     const Facts facts = mesher_.facts();
-    const std::shared_ptr<const Outcome> last = mesher_.last();
+    const std::shared_ptr<const LiveOutcome> last = mesher_.last();
     const auto superseded = facts.superseded - diagnosed_.superseded;
     const auto given_up = facts.given_up - diagnosed_.given_up;
     const auto dropped = dropped_ - diagnosed_dropped_;
@@ -251,8 +247,8 @@ class Node {
     status.add("At work", facts.busy);
     if (!last) return;
     status.add("Last duration in seconds", last->seconds);
-    status.add("Last vertices", last->mesh.positions.size());
-    status.add("Last triangles", last->mesh.triangles.size());
+    status.add("Last vertices", io::size_of(last->mesh.cloud));
+    status.add("Last triangles", last->mesh.polygons.size());
   }
 
   ros::NodeHandle private_{"~"};
@@ -268,7 +264,7 @@ class Node {
   std::string save_path_;
 
   ros::Publisher mesh_publisher_, marker_publisher_;
-  Mesher mesher_;  // uses the publishers
+  LiveMesher mesher_;  // uses the publishers
   diagnostic_updater::Updater updater_;
   Facts diagnosed_;
   std::int64_t diagnosed_dropped_ = 0;
@@ -285,6 +281,7 @@ class Node {
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "filmsticking");
+  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);  // the node reports failures itself
   try {
     Node node;
     ros::spin();

@@ -8,14 +8,14 @@
 
 namespace filmsticking::app {
 
-/// The progress bar of a capture: frames, and the mesh that is made meanwhile. Its calls may come from
+/// The progress bar of a capture: the frames, and the mesh that is made at the same time. Calls may come from
 /// several threads.
 class CaptureBar {
  public:
   void show_frames(double share, const std::string& frames);
   void show_mesh(const std::string& mesh);
 
-  /// Prints a line on stderr without disturbing the bar.
+  /// Hides the bar and prints a line on stderr.
   void say(const std::string& line);
 
  private:

@@ -111,7 +111,7 @@ std::string usage() {
       << visible_options()
       << "\nThe filters crop, sor and voxel run on each frame, in the sensor's coordinates; mls runs on the "
          "fused cloud.\n"
-      << (capture::has_openni()
+      << (stream::has_openni()
               ? "This program can read .oni files and OpenNI2 cameras.\n"
               : "This program's PCL was built without OpenNI2: no .oni files, no cameras.\n")
       << "Exit status: 0 with a mesh written, 2 for a wrong command line, else 1.\n";

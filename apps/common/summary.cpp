@@ -7,13 +7,12 @@
 
 namespace filmsticking::app {
 
-std::string mesh_summary(const Result& result, const std::string& file) {
-  const Report& report = result.report;
+std::string mesh_summary(const Report& report, const std::string& file) {
   const auto count = [](std::int64_t n, const char* what) {
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
   };
-  std::string text = "mesh    " + file + ": " + std::to_string(result.vertices.size()) + " vertices, " +
-                     std::to_string(result.triangles.size()) + " triangles\nclosed  ";
+  std::string text = "mesh    " + file + ": " + std::to_string(report.interpolated) + " vertices, " +
+                     std::to_string(report.triangles) + " triangles\nclosed  ";
   text += report.closed ? "yes" : "no, " + count(report.boundary_loops, "border");
   text += report.manifold ? ", manifold\n" : ", not manifold\n";
   text += "genus   " + std::to_string(report.genus) + ", " + count(report.components, "component") + "\n";

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <string>
 
-#include "filmsticking/reconstruct.h"
+#include "filmsticking/report.h"
 
 namespace filmsticking::app {
 
-/// What a mesh is, in lines that a person can read: the file, closed or not, the genus, the points used.
-std::string mesh_summary(const Result& result, const std::string& file);
+/// Lines for a person about the mesh of a reconstruction that succeeded: the file, closed or not, the genus,
+/// the points used.
+std::string mesh_summary(const Report& report, const std::string& file);
 
 /// "1.2 s, 35 MB of memory at most", the memory being that of this process so far.
 std::string cost_summary(double seconds);

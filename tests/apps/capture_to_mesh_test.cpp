@@ -15,7 +15,7 @@
 
 #include "filmsticking/reconstruct.h"
 #include "io/files.h"
-#include "io/model_file.h"
+#include "io/formats.h"
 #include "stream/trajectory.h"
 #include "support/run_program.h"
 #include "support/scratch_folder.h"
@@ -26,7 +26,6 @@ namespace filmsticking::test {
 namespace {
 
 namespace fs = std::filesystem;
-using io::Model;
 
 const std::string kBun0 = TEST_DATA "/bun0.pcd", kBun4 = TEST_DATA "/bun4.pcd";
 
@@ -44,10 +43,20 @@ void expect_failure(const std::vector<std::string>& arguments, int status) {
   EXPECT_EQ(outcome.out, "");
 }
 
-void expect_closed(const std::string& path) {
-  const Model mesh = io::read_mesh(path);
-  EXPECT_EQ(surface_fault({mesh.positions, mesh.triangles}), "");
+std::vector<Point> read_points(const std::string& path) {
+  return io::positions_of(io::read_cloud(path).points);
 }
+
+Mesh read_mesh(const std::string& path) {
+  const pcl::PolygonMesh mesh = io::read_mesh(path);
+  return {io::positions_of(mesh.cloud), io::triangles_of(mesh.polygons)};
+}
+
+void write_mesh(const std::string& path, const Mesh& mesh) {
+  io::write_mesh(path, io::make_cloud(mesh.positions), mesh.triangles);
+}
+
+void expect_closed(const std::string& path) { EXPECT_EQ(surface_fault(read_mesh(path)), ""); }
 
 /// mesh_report's comparison of two meshes, in the box of the truth whose longest side is 1.
 boost::property_tree::ptree compare(const std::string& mesh, const std::string& truth) {
@@ -67,13 +76,13 @@ class Turntable : public ::testing::Test {
 
   static void SetUpTestSuite() {
     folder_ = std::make_unique<ScratchFolder>();
-    const Model cloud = io::read_cloud(TEST_DATA "/spot_10k.ply");
-    const Result result = reconstruct(cloud.positions);
+    const std::vector<Point> cloud = read_points(TEST_DATA "/spot_10k.ply");
+    const Result result = reconstruct(cloud);
     ASSERT_EQ(result.status, Status::Ok);
     Mesh truth;
-    for (const std::int32_t k : result.vertices) truth.positions.push_back(cloud.positions[k]);
+    for (const std::int32_t k : result.vertices) truth.positions.push_back(cloud[k]);
     truth.triangles = result.triangles;
-    io::write_model(file("truth.ply"), {truth.positions, {}, truth.triangles});
+    write_mesh(file("truth.ply"), truth);
     fs::create_directory(file("plain"));
     fs::create_directory(file("posed"));
     std::string trajectory;
@@ -82,7 +91,7 @@ class Turntable : public ::testing::Test {
       const std::string name = "/scan_" + std::to_string(number) + ".pcd";
       write_pcd(file("plain") + name, image.points);
       write_pcd(file("posed") + name, image.points, &image.pose);
-      trajectory += capture::trajectory_line(number++, image.pose);
+      trajectory += stream::trajectory_line(number++, image.pose);
     }
     io::write_file(file("poses.txt"), trajectory);
   }
@@ -113,9 +122,7 @@ TEST_F(Turntable, WithATrajectory) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_NE(outcome.out.find("28 used, 0 left out"), std::string::npos) << outcome.out;
   expect_spot(file("given.ply"));
-  const Model cloud = io::read_cloud(file("cloud.ply"));
-  const Model mesh = io::read_mesh(file("given.ply"));
-  EXPECT_GE(cloud.positions.size(), mesh.positions.size());
+  EXPECT_GE(read_points(file("cloud.ply")).size(), read_points(file("given.ply")).size());
 }
 
 TEST_F(Turntable, WithTheCloudsOwnPoses) {
@@ -131,21 +138,21 @@ TEST_F(Turntable, ByRegistration) {
   EXPECT_NE(outcome.out.find("28 used, 0 left out"), std::string::npos) << outcome.out << outcome.err;
 
   // The found poses begin with the identity; the true ones are relative to their first, too.
-  const auto truth = capture::parse_trajectory(io::read_file(file("poses.txt")));
-  const auto found = capture::parse_trajectory(io::read_file(file("found.txt")));
+  const auto truth = stream::parse_trajectory(io::read_file(file("poses.txt")));
+  const auto found = stream::parse_trajectory(io::read_file(file("found.txt")));
   ASSERT_EQ(found.size(), truth.size());
   for (std::size_t k = 0; k < found.size(); ++k) {
-    const capture::Pose error = (truth[0].inverse() * truth[k]).inverse() * found[k];
+    const stream::Pose error = (truth[0].inverse() * truth[k]).inverse() * found[k];
     EXPECT_LT(Eigen::AngleAxisd(error.linear()).angle(), 0.03) << k;
   }
 
   // So is the mesh.
-  Model mesh = io::read_mesh(file("found.ply"));
+  Mesh mesh = read_mesh(file("found.ply"));
   for (Point& p : mesh.positions) {
     const Eigen::Vector3d q = truth[0] * Eigen::Vector3d(p[0], p[1], p[2]);
     p = {q.x(), q.y(), q.z()};
   }
-  io::write_model(file("found_moved.ply"), mesh);
+  write_mesh(file("found_moved.ply"), mesh);
   expect_closed(file("found_moved.ply"));
   const auto report = compare(file("found_moved.ply"), file("truth.ply"));
   EXPECT_LT(report.get<double>("chamfer_e3"), 1000 * kPitch / 1.7 / 6);
@@ -159,7 +166,7 @@ TEST_F(Turntable, FiltersAndStrides) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("9 used"), std::string::npos) << outcome.out;
   expect_closed(file("some.ply"));
-  EXPECT_LE(io::read_mesh(file("some.ply")).positions.size(), 2000u);
+  EXPECT_LE(read_points(file("some.ply")).size(), 2000u);
   EXPECT_EQ(capture_to_mesh({file("posed"), file("none.ply"), "--crop", "0,0,-9,1,1,-8"}).status, 1);
 }
 
@@ -190,14 +197,15 @@ TEST(CaptureToMesh, PlaysTheBundledRecording) {
       << outcome.out;
   EXPECT_EQ(io::read_file(folder / "poses.txt"), io::read_file(recording + "/poses.txt"));
   // Another sampling of the same model: its points are on the fused surface.
-  const Model fused = io::read_cloud(folder / "cloud.ply"), spot = io::read_cloud(TEST_DATA "/spot_10k.ply");
+  const std::vector<Point> fused = read_points(folder / "cloud.ply"),
+                           spot = read_points(TEST_DATA "/spot_10k.ply");
   std::size_t near = 0;
-  for (std::size_t i = 0; i < spot.positions.size(); i += 20)
-    near += std::any_of(fused.positions.begin(), fused.positions.end(), [&](const Point& p) {
-      const Point& q = spot.positions[i];
+  for (std::size_t i = 0; i < spot.size(); i += 20)
+    near += std::any_of(fused.begin(), fused.end(), [&](const Point& p) {
+      const Point& q = spot[i];
       return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) < 0.05;
     });
-  EXPECT_GT(near, spot.positions.size() / 20 * 98 / 100);
+  EXPECT_GT(near, spot.size() / 20 * 98 / 100);
 }
 
 TEST(CaptureToMesh, FitsTwoRealScans) {
@@ -208,7 +216,7 @@ TEST(CaptureToMesh, FitsTwoRealScans) {
   EXPECT_NE(outcome.out.find("2 used, 0 left out"), std::string::npos) << outcome.out;
   expect_closed(folder / "bunny.ply");
   // The tests of PCL's ICP know the angle between them.
-  const auto poses = capture::parse_trajectory(io::read_file(folder / "poses.txt"));
+  const auto poses = stream::parse_trajectory(io::read_file(folder / "poses.txt"));
   EXPECT_NEAR(Eigen::AngleAxisd(poses[1].linear()).angle(), 0.494, 0.15);
 }
 
@@ -289,17 +297,17 @@ TEST(CaptureToMesh, FitsTheScansOfARealTurntable) {
   const std::string path = std::string(MORE_DATA) + "/scans/armadillo_range.ply";
   if (std::string(MORE_DATA).empty() || !fs::exists(path))
     GTEST_SKIP() << "FILMSTICKING_DATA has no such scan";
-  const Model cloud = io::read_cloud(path);
+  const std::vector<Point> cloud = read_points(path);
   const ScratchFolder folder;
   // Between two images the scan jumps to the other end of the figure.
   std::vector<std::vector<Eigen::Vector3d>> images(1);
-  for (const Point& p : cloud.positions) {
+  for (const Point& p : cloud) {
     const Eigen::Vector3d q(p[0], p[1], p[2]);
     if (images.back().size() > 5000 && (q - images.back().back()).norm() > 0.244) images.emplace_back();
     images.back().push_back(q);
   }
   ASSERT_GE(images.size(), 10u);
-  std::vector<capture::Pose> truth;
+  std::vector<stream::Pose> truth;
   for (std::size_t k = 0; k < images.size(); ++k) {
     truth.emplace_back(Eigen::AngleAxisd(2 * M_PI * static_cast<double>(k) / 12, Eigen::Vector3d::UnitY()));
     for (Eigen::Vector3d& p : images[k]) p = truth[k].inverse() * p;
@@ -309,10 +317,10 @@ TEST(CaptureToMesh, FitsTheScansOfARealTurntable) {
       {folder.path().string(), folder / "mesh.ply", "--save-poses", folder / "poses.txt", "--fuse", "0.002"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   expect_closed(folder / "mesh.ply");
-  const auto found = capture::parse_trajectory(io::read_file(folder / "poses.txt"));
+  const auto found = stream::parse_trajectory(io::read_file(folder / "poses.txt"));
   ASSERT_EQ(found.size(), truth.size()) << outcome.err;
   for (std::size_t k = 0; k < found.size(); ++k) {
-    const capture::Pose error = truth[k].inverse() * found[k];
+    const stream::Pose error = truth[k].inverse() * found[k];
     EXPECT_LT(Eigen::AngleAxisd(error.linear()).angle(), 0.04) << k;
     EXPECT_LT(error.translation().norm(), 0.005) << k;  // of a figure of 0.2
   }

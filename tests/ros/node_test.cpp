@@ -14,6 +14,7 @@
 #include <condition_variable>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <map>
 #include <mutex>
 #include <set>
@@ -21,7 +22,7 @@
 #include <vector>
 
 #include "conversions.h"
-#include "io/model_file.h"
+#include "io/formats.h"
 #include "support/clouds.h"
 #include "support/surface_check.h"
 
@@ -79,30 +80,44 @@ std_srvs::Trigger::Response call(const std::string& service) {
 
 std::set<Point> as_set(const std::vector<Point>& points) { return {points.begin(), points.end()}; }
 
+Mesh mesh_of(const pcl_msgs::PolygonMesh& message) {
+  pcl::PolygonMesh mesh;
+  pcl_conversions::toPCL(message, mesh);
+  return {io::positions_of(mesh.cloud), io::triangles_of(mesh.polygons)};
+}
+
+std::vector<io::Colour> colours_of(const pcl_msgs::PolygonMesh& message) {
+  pcl::PCLPointCloud2 cloud;
+  pcl_conversions::toPCL(message.cloud, cloud);
+  return io::colours_of(cloud);
+}
+
 /// Closed, manifold, outward, and with vertices out of `points`.
-void expect_good_mesh(const io::Model& mesh, const std::vector<Point>& points) {
-  EXPECT_EQ(test::surface_fault({mesh.positions, mesh.triangles}), "");
-  EXPECT_GT(test::signed_volume({mesh.positions, mesh.triangles}), 0);
+void expect_good_mesh(const Mesh& mesh, const std::vector<Point>& points) {
+  EXPECT_EQ(test::surface_fault(mesh), "");
+  EXPECT_GT(test::signed_volume(mesh), 0);
   const std::set<Point> known = as_set(points);
   for (const Point& p : mesh.positions) ASSERT_TRUE(known.count(p)) << p[0] << " " << p[1] << " " << p[2];
 }
 
 TEST(Demo, TheMeshOfTheFileArrives) {
-  const io::Model cloud = io::read_cloud(TEST_DATA "/spot_10k.pcd");
+  const pcl::PCLPointCloud2 cloud = io::read_cloud(TEST_DATA "/spot_10k.pcd").points;
+  const std::vector<Point> points = io::positions_of(cloud);
+  const std::vector<io::Colour> painted = io::colours_of(cloud);
   std::map<Point, io::Colour> colours;
-  for (std::size_t k = 0; k < cloud.positions.size(); ++k) colours[cloud.positions[k]] = cloud.colours[k];
+  for (std::size_t k = 0; k < points.size(); ++k) colours[points[k]] = painted[k];
 
   MeshInbox meshes("filmsticking/mesh");
   const auto message = meshes.wait([](const pcl_msgs::PolygonMesh& mesh) { return !mesh.polygons.empty(); });
   ASSERT_TRUE(message);
   EXPECT_EQ(message->header.frame_id, "map");
   EXPECT_EQ(message->cloud.header.frame_id, "map");
-  const io::Model mesh = to_mesh_model(*message);
-  expect_good_mesh(mesh, cloud.positions);
-  EXPECT_GT(mesh.positions.size(), cloud.positions.size() * 99 / 100);
-  ASSERT_EQ(mesh.colours.size(), mesh.positions.size());
-  for (std::size_t k = 0; k < mesh.positions.size(); ++k)
-    ASSERT_EQ(mesh.colours[k], colours.at(mesh.positions[k]));
+  const Mesh mesh = mesh_of(*message);
+  expect_good_mesh(mesh, points);
+  EXPECT_GT(mesh.positions.size(), points.size() * 99 / 100);
+  const std::vector<io::Colour> found = colours_of(*message);
+  ASSERT_EQ(found.size(), mesh.positions.size());
+  for (std::size_t k = 0; k < found.size(); ++k) ASSERT_EQ(found[k], colours.at(mesh.positions[k]));
 
   Inbox<visualization_msgs::Marker> markers("filmsticking/marker");  // latched: it was published before
   const auto marker = markers.wait([](const auto& any) { return !any.points.empty(); });
@@ -119,8 +134,8 @@ TEST(Bag, ItsCloudsAreFused) {
   const auto message = meshes.wait([last](const auto& mesh) { return mesh.header.stamp == last; });
   ASSERT_TRUE(message);
   EXPECT_EQ(message->header.frame_id, "map");
-  const io::Model mesh = to_mesh_model(*message);
-  EXPECT_EQ(test::surface_fault({mesh.positions, mesh.triangles}), "");
+  const Mesh mesh = mesh_of(*message);
+  EXPECT_EQ(test::surface_fault(mesh), "");
   EXPECT_GT(mesh.positions.size(), kClouds * kPoints * 99 / 100);  // none of the clouds was missed
   for (const Point& p : mesh.positions) EXPECT_NEAR(std::hypot(p[0], p[1], p[2]), 1, 1e-5);
 }
@@ -179,9 +194,12 @@ class NodeTest : public testing::Test {
   }
 
   /// Publishes a cloud with a stamp of its own.
-  ros::Time publish(const io::Model& model, const std::string& frame_id = "map") {
+  ros::Time publish(const std::vector<Point>& points, const std::string& frame_id = "map") {
+    return publish(io::make_cloud(points), frame_id);
+  }
+  ros::Time publish(const pcl::PCLPointCloud2& points, const std::string& frame_id = "map") {
     sensor_msgs::PointCloud2 cloud;
-    to_cloud(model, cloud);
+    pcl_conversions::fromPCL(points, cloud);
     cloud.header.frame_id = frame_id;
     cloud.header.stamp = ++stamp;
     input.publish(cloud);
@@ -189,20 +207,25 @@ class NodeTest : public testing::Test {
   }
 
   /// A sphere of points in single precision.
-  static io::Model ball(int points, std::uint64_t seed = 1, Point centre = {0, 0, 0}) {
-    io::Model model{test::sphere(points, seed, centre), {}, {}};
-    for (Point& p : model.positions)
+  static std::vector<Point> ball(int size, std::uint64_t seed = 1, Point centre = {0, 0, 0}) {
+    std::vector<Point> points = test::sphere(size, seed, centre);
+    for (Point& p : points)
       for (double& x : p) x = static_cast<float>(x);
-    return model;
+    return points;
   }
 
-  /// The mesh with that stamp.
-  io::Model mesh_of(ros::Time of) {
+  /// The message with that stamp; null if none comes.
+  boost::shared_ptr<const pcl_msgs::PolygonMesh> message_at(ros::Time of) {
     const auto message = meshes.wait([of](const pcl_msgs::PolygonMesh& mesh) {
       return mesh.header.stamp == of && !mesh.polygons.empty();
     });
     EXPECT_TRUE(message);
-    return message ? to_mesh_model(*message) : io::Model();
+    return message;
+  }
+  /// Its mesh.
+  Mesh mesh_at(ros::Time of) {
+    const auto message = message_at(of);
+    return message ? mesh_of(*message) : Mesh();
   }
 
   /// Calls reconstruct until something was received.
@@ -232,10 +255,34 @@ dynamic_reconfigure::Config NodeTest::defaults;
 
 TEST_F(NodeTest, AMeshForEachCloud) {
   for (int seed = 1; seed <= 3; ++seed) {
-    const io::Model cloud = ball(1000, static_cast<std::uint64_t>(seed));
-    const io::Model mesh = mesh_of(publish(cloud));
-    expect_good_mesh(mesh, cloud.positions);
+    const std::vector<Point> cloud = ball(1000, static_cast<std::uint64_t>(seed));
+    const Mesh mesh = mesh_at(publish(cloud));
+    expect_good_mesh(mesh, cloud);
     EXPECT_GT(mesh.positions.size(), 900u);
+  }
+}
+
+TEST_F(NodeTest, AMeshKeepsEveryField) {
+  const std::vector<Point> points = ball(1000);
+  std::vector<pcl::PCLPointField> fields = io::make_cloud(points).fields;
+  fields.push_back(io::make_field("reflectivity", 12, pcl::PCLPointField::FLOAT64));
+  pcl::PCLPointCloud2 cloud = io::make_rows(fields, 20, points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double value = points[i][0] / 3;
+    io::PositionFields(cloud).store(points[i], &cloud.data[20 * i]);
+    std::memcpy(&cloud.data[20 * i + 12], &value, sizeof value);
+  }
+  const auto message = message_at(publish(cloud));
+  ASSERT_TRUE(message);
+  pcl::PCLPointCloud2 vertices;
+  pcl_conversions::toPCL(message->cloud, vertices);
+  const std::vector<Point> positions = io::positions_of(vertices);
+  const pcl::PCLPointField* kept = io::find_field(vertices, "reflectivity");
+  ASSERT_TRUE(kept);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    double value = 0;
+    std::memcpy(&value, &vertices.data[i * vertices.point_step + kept->offset], sizeof value);
+    ASSERT_EQ(value, positions[i][0] / 3);
   }
 }
 
@@ -247,7 +294,7 @@ TEST_F(NodeTest, ServicesAnswer) {
   EXPECT_FALSE(call("save").success);
 
   set("every_frames", 0);
-  const io::Model cloud = ball(1000);
+  const std::vector<Point> cloud = ball(1000);
   publish(cloud);
   const auto response = reconstruct();
   EXPECT_TRUE(response.success) << response.message;
@@ -255,7 +302,8 @@ TEST_F(NodeTest, ServicesAnswer) {
 
   const auto saved = call("save");
   ASSERT_TRUE(saved.success) << saved.message;
-  expect_good_mesh(io::read_mesh(path), cloud.positions);
+  const pcl::PolygonMesh file = io::read_mesh(path);
+  expect_good_mesh({io::positions_of(file.cloud), io::triangles_of(file.polygons)}, cloud);
   set("save_path", std::string("/nowhere/mesh.ply"));
   EXPECT_FALSE(call("save").success);
   set("save_path", std::string("mesh.doc"));
@@ -275,11 +323,11 @@ TEST_F(NodeTest, CollectsAndFusesAsReconfigured) {
   std::vector<Point> points;
   ros::Time last;
   for (int seed = 1; seed <= 5; ++seed) {
-    const io::Model cloud = ball(400, static_cast<std::uint64_t>(seed));
-    points.insert(points.end(), cloud.positions.begin(), cloud.positions.end());
+    const std::vector<Point> cloud = ball(400, static_cast<std::uint64_t>(seed));
+    points.insert(points.end(), cloud.begin(), cloud.end());
     last = publish(cloud);
   }
-  const io::Model mesh = mesh_of(last);
+  const Mesh mesh = mesh_at(last);
   expect_good_mesh(mesh, points);
   std::set<Point> cells;
   for (const Point& p : mesh.positions)
@@ -292,29 +340,29 @@ TEST_F(NodeTest, RefusesParametersThatMakeNoSense) {
   EXPECT_EQ(set("crop", std::string("-9,-9,-9,9,9,9")), "-9,-9,-9,9,9,9");
   EXPECT_EQ(set("crop", std::string("here")), "-9,-9,-9,9,9,9");
   EXPECT_EQ(set("sor", std::string("1,2,3,4")), "");
-  const io::Model cloud = ball(500);
-  expect_good_mesh(mesh_of(publish(cloud)), cloud.positions);
+  const std::vector<Point> cloud = ball(500);
+  expect_good_mesh(mesh_at(publish(cloud)), cloud);
 }
 
 TEST_F(NodeTest, RunsTheFilters) {
   set("crop", std::string("-2,-2,-2,2,2,2"));
   set("max_range", 20.0);
-  io::Model cloud = ball(500);
-  const std::vector<Point> inside = cloud.positions;
-  for (const Point& p : ball(300, 2, {5, 0, 0}).positions) cloud.positions.push_back(p);
-  for (const Point& p : ball(300, 3, {50, 0, 0}).positions) cloud.positions.push_back(p);
-  expect_good_mesh(mesh_of(publish(cloud)), inside);
+  std::vector<Point> cloud = ball(500);
+  const std::vector<Point> inside = cloud;
+  for (const Point& p : ball(300, 2, {5, 0, 0})X(p);
+  for (const Point& p : ball(300, 3, {50, 0, 0})X(p);
+  expect_good_mesh(mesh_at(publish(cloud)), inside);
 }
 
 TEST_F(NodeTest, LeavesASurfaceOpenIfAsked) {
-  io::Model half;  // one side of a sphere
-  for (const Point& p : ball(4000).positions)
-    if (p[2] > 0) half.positions.push_back(p);
-  expect_good_mesh(mesh_of(publish(half)), half.positions);
+  std::vector<Point> half;  // one side of a sphere
+  for (const Point& p : ball(4000))
+    if (p[2] > 0) half.push_back(p);
+  expect_good_mesh(mesh_at(publish(half)), half);
   set("open", true);
-  const io::Model mesh = mesh_of(publish(half));
-  EXPECT_EQ(test::surface_fault({mesh.positions, mesh.triangles}, true), "");
-  EXPECT_EQ(test::surface_fault({mesh.positions, mesh.triangles}), "an edge has one face only");
+  const Mesh mesh = mesh_at(publish(half));
+  EXPECT_EQ(test::surface_fault(mesh, true), "");
+  EXPECT_EQ(test::surface_fault(mesh), "an edge has one face only");
 }
 
 TEST_F(NodeTest, MovesCloudsToTheFixedFrame) {
@@ -327,13 +375,13 @@ TEST_F(NodeTest, MovesCloudsToTheFixedFrame) {
   broadcaster.sendTransform(transform);
   set("fixed_frame", std::string("map"));
 
-  io::Model cloud = ball(500);
-  for (Point& p : cloud.positions)
+  std::vector<Point> cloud = ball(500);
+  for (Point& p : cloud)
     for (double& x : p) x = std::round(x * 65536) / 65536;
-  std::vector<Point> moved = cloud.positions;
+  std::vector<Point> moved = cloud;
   for (Point& p : moved) p[0] += 16;
   const ros::Time at = publish(cloud, "sensor");
-  expect_good_mesh(mesh_of(at), moved);
+  expect_good_mesh(mesh_at(at), moved);
   const auto message = meshes.wait([at](const auto& mesh) { return mesh.header.stamp == at; });
   EXPECT_EQ(message->header.frame_id, "map");
 }
@@ -341,10 +389,10 @@ TEST_F(NodeTest, MovesCloudsToTheFixedFrame) {
 TEST_F(NodeTest, ABurstEndsWithTheNewestAndIsTold) {
   Inbox<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
   ASSERT_TRUE(diagnostics.wait([](const auto&) { return true; }));
-  const io::Model cloud = ball(3000);
+  const std::vector<Point> cloud = ball(3000);
   ros::Time last;
   for (int frame = 0; frame < 150; ++frame) last = publish(cloud);
-  expect_good_mesh(mesh_of(last), cloud.positions);
+  expect_good_mesh(mesh_at(last), cloud);
   EXPECT_TRUE(diagnostics.wait([](const diagnostic_msgs::DiagnosticArray& array) {
     for (const auto& status : array.status)
       if (status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
@@ -356,9 +404,9 @@ TEST_F(NodeTest, ABurstEndsWithTheNewestAndIsTold) {
 
 TEST_F(NodeTest, HoldsNoMoreThanItMay) {
   set("max_points", 700);
-  const io::Model cloud = ball(5000);
-  const io::Model mesh = mesh_of(publish(cloud));
-  expect_good_mesh(mesh, cloud.positions);
+  const std::vector<Point> cloud = ball(5000);
+  const Mesh mesh = mesh_at(publish(cloud));
+  expect_good_mesh(mesh, cloud);
   EXPECT_LE(mesh.positions.size(), 700u);
 }
 
@@ -367,15 +415,15 @@ TEST_F(NodeTest, OutlivesBrokenClouds) {
   input.publish(cloud);  // no frame
   cloud.header.frame_id = "map";
   input.publish(cloud);  // no fields
-  to_cloud(ball(100), cloud);
+  pcl_conversions::fromPCL(io::make_cloud(ball(100)), cloud);
   cloud.header.frame_id = "map";
   cloud.width *= 1000;
   input.publish(cloud);  // too few bytes
-  publish(io::Model());
+  publish({});
   publish(ball(100), "a_frame_that_nobody_knows");
-  publish({std::vector<Point>(50, {1, 2, 3}), {}, {}});
-  const io::Model good = ball(500);
-  expect_good_mesh(mesh_of(publish(good)), good.positions);
+  publish(std::vector<Point>(50, {1, 2, 3}));
+  const std::vector<Point> good = ball(500);
+  expect_good_mesh(mesh_at(publish(good)), good);
 }
 
 /// The node as live_scanner.launch starts it.
@@ -383,11 +431,11 @@ class LiveTest : public NodeTest {};
 
 TEST_F(LiveTest, MeshesWhatIsInRange) {
   for (int frame = 0; frame < 3; ++frame) {
-    io::Model cloud = ball(2000, 1, {0, 0, 6});  // too far
-    std::vector<Point> near = ball(2000, 2).positions;
+    std::vector<Point> cloud = ball(2000, 1, {0, 0, 6});  // too far
+    std::vector<Point> near = ball(2000, 2);
     for (Point& p : near) p = {p[0] / 4, p[1] / 4, static_cast<float>(p[2] / 4 + 1)};
-    cloud.positions.insert(cloud.positions.end(), near.begin(), near.end());
-    const io::Model mesh = mesh_of(publish(cloud, "camera"));
+    cloud.insert(cloud.end(), near.begin(), near.end());
+    const Mesh mesh = mesh_at(publish(cloud, "camera"));
     expect_good_mesh(mesh, near);
     EXPECT_GT(mesh.positions.size(), 1000u);
   }

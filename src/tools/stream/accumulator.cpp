@@ -1,35 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accumulator.h"
 
-#include "capture_error.h"
 #include "frame_points.h"
+#include "stream_error.h"
 
-namespace filmsticking::capture {
+namespace filmsticking::stream {
 
-Accumulator::Accumulator(AccumulatorOptions options, std::unique_ptr<PoseSource> poses)
+Accumulator::Accumulator(AccumulatorOptions options, PoseSource poses)
     : options_(options), poses_(std::move(poses)) {}
 
 std::optional<std::string> Accumulator::add(const Frame& frame) {
   try {
-    const io::Model points = frame_points(frame, options_.filters);
-    const Placement placement = poses_->place(frame, points);
-    if (!placement.pose) throw CaptureError(placement.reason);
-    if (!map_) {
-      double leaf = options_.leaf > 0 ? options_.leaf : 1.5 * mean_spacing(points);
-      if (!(leaf > 0)) leaf = 1;  // all points are the same
-      map_.emplace(leaf, options_.most_points);
+    const pcl::PCLPointCloud2 cloud = frame_points(frame, options_.filters);
+    const std::vector<Point> points = io::positions_of(cloud);
+    const Placement placement = poses_(frame, points);
+    if (!placement.pose) throw StreamError(placement.reason);
+    if (!fused_) {
+      double width = options_.width > 0 ? options_.width : 1.5 * mean_spacing(points);
+      if (!(width > 0)) width = 1;  // all points are the same
+      fused_.emplace(width, options_.most_points);
     }
-    map_->add(moved(points, *placement.pose));
+    fused_->add(moved(points, *placement.pose), io::colours_of(cloud));
     placed_.push_back({frame.name, frame.time, *placement.pose});
     return std::nullopt;
-  } catch (const CaptureError& error) {
+  } catch (const StreamError& error) {
     ++left_out_;
     return error.what();
   }
 }
 
-io::Model Accumulator::points(int seen_by) const {
-  return map_ ? map_->points(static_cast<std::uint32_t>(seen_by)) : io::Model();
+pcl::PCLPointCloud2 Accumulator::cloud(int seen_by) const {
+  return fused_ ? fused_->cloud(static_cast<std::uint32_t>(seen_by)) : io::make_cloud({});
 }
 
-}  // namespace filmsticking::capture
+}  // namespace filmsticking::stream

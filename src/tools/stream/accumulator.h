@@ -1,34 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "filters/filter_options.h"
 #include "frame.h"
-#include "io/model.h"
+#include "mean_cloud.h"
 #include "pose_source.h"
-#include "voxel_map.h"
 
-namespace filmsticking::capture {
+namespace filmsticking::stream {
 
 struct AccumulatorOptions {
-  filters::FilterOptions filters;  ///< for each frame
-  double leaf = 0;  ///< width of a fused cell; 0: half as much again as the first frame's spacing
-  std::size_t most_points = 1000000;  ///< the cells get coarser beyond
+  filters::FilterOptions filters;     ///< run on each frame
+  double width = 0;                   ///< of a fused cell; 0: 1.5 times the first frame's mean spacing
+  std::size_t most_points = 1000000;  ///< with more cells than this, their width doubles
 };
 
-/// Makes one cloud of many frames: each is filtered, placed and fused.
+/// Makes one cloud from a recording: filters, places and averages its frames.
 class Accumulator {
  public:
-  Accumulator(AccumulatorOptions options, std::unique_ptr<PoseSource> poses);
+  Accumulator(AccumulatorOptions options, PoseSource poses);
 
-  /// Adds a frame, or leaves it out and says why in a clause without its name. Never throws CaptureError.
+  /// Adds a frame; else returns why it is left out, as a clause without the frame's name. Never throws
+  /// StreamError.
   std::optional<std::string> add(const Frame& frame);
 
-  /// A frame that was fused.
+  /// A frame that was added.
   struct Placed {
     std::string name;
     std::optional<double> time;
@@ -38,21 +37,22 @@ class Accumulator {
 
   std::size_t left_out() const { return left_out_; }
 
-  /// Fused points so far.
-  std::size_t size() const { return map_ ? map_->size() : 0; }
+  /// The number of fused points.
+  std::size_t size() const { return fused_ ? fused_->size() : 0; }
 
   /// Width of a fused cell; 0 before the first frame.
-  double leaf() const { return map_ ? map_->leaf() : 0; }
+  double width() const { return fused_ ? fused_->width() : 0; }
 
-  /// The fused points that at least so many frames have seen.
-  io::Model points(int seen_by = 1) const;
+  /// The fused points that at least `seen_by` frames have hit: positions and, if all frames have them,
+  /// colours.
+  pcl::PCLPointCloud2 cloud(int seen_by = 1) const;
 
  private:
   AccumulatorOptions options_;
-  std::unique_ptr<PoseSource> poses_;
-  std::optional<VoxelMap> map_;
+  PoseSource poses_;
+  std::optional<MeanCloud> fused_;
   std::vector<Placed> placed_;
   std::size_t left_out_ = 0;
 };
 
-}  // namespace filmsticking::capture
+}  // namespace filmsticking::stream

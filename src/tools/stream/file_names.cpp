@@ -4,18 +4,18 @@
 #include <charconv>
 #include <filesystem>
 
-#include "capture_error.h"
 #include "frame_source.h"
 #include "io/files.h"
+#include "stream_error.h"
 
 namespace fs = std::filesystem;
 
-namespace filmsticking::capture {
+namespace filmsticking::stream {
 namespace {
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// Character by character, but runs of digits by their value.
+/// Compares characters, but runs of digits by their value.
 bool natural_less(const std::string& a, const std::string& b) {
   std::size_t i = 0, k = 0;
   while (i < a.size() && k < b.size()) {
@@ -45,8 +45,8 @@ std::vector<std::string> pcd_files_in(const std::string& folder) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
     if (io::extension_of(entry.path().string()) == ".pcd") files.push_back(entry.path().string());
-  if (error) throw CaptureError(folder + ": " + error.message());
-  if (files.empty()) throw CaptureError(folder + ": there are no .pcd files in it");
+  if (error) throw StreamError(folder + ": " + error.message());
+  if (files.empty()) throw StreamError(folder + ": there are no .pcd files in it");
   std::sort(files.begin(), files.end(), natural_less);
   return files;
 }
@@ -66,4 +66,4 @@ std::optional<double> time_in_name(const std::string& path) {
   return time;
 }
 
-}  // namespace filmsticking::capture
+}  // namespace filmsticking::stream

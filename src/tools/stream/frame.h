@@ -7,17 +7,17 @@
 #include <optional>
 #include <string>
 
-namespace filmsticking::capture {
+namespace filmsticking::stream {
 
 /// A rigid motion from a sensor's coordinates to the world's.
 using Pose = Eigen::Isometry3d;
 
-/// What a scanner saw at one time.
+/// One cloud of a sensor.
 struct Frame {
-  std::string name;                     ///< for people: a file's name, or a number
-  std::optional<double> time;           ///< seconds, on the clock of the recording; none where it is not told
-  pcl::PCLPointCloud2 cloud;            ///< in the sensor's coordinates
-  Pose sensor_pose = Pose::Identity();  ///< that came with the cloud; the identity if none did
+  std::string name;                     ///< a file's name, or a number, for messages to the user
+  std::optional<double> time;           ///< seconds on the clock of the recording; none if it is unknown
+  pcl::PCLPointCloud2 cloud;            ///< in the sensor's coordinates, with all fields
+  Pose sensor_pose = Pose::Identity();  ///< where the sensor was; the identity if that is unknown
 };
 
-}  // namespace filmsticking::capture
+}  // namespace filmsticking::stream

@@ -4,64 +4,60 @@
 #include <pcl/point_types.h>
 #include <pcl/search/kdtree.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "capture_error.h"
 #include "filters/filter_chain.h"
-#include "filters/position_fields.h"
+#include "io/cloud.h"
+#include "stream_error.h"
 
-namespace filmsticking::capture {
-namespace {
+namespace filmsticking::stream {
 
-const pcl::PCLPointField* colour_field(const pcl::PCLPointCloud2& cloud) {
-  for (const pcl::PCLPointField& field : cloud.fields)
-    if ((field.name == "rgb" || field.name == "rgba") && std::size_t{field.offset} + 4 <= cloud.point_step)
-      return &field;
-  return nullptr;
-}
-
-}  // namespace
-
-io::Model frame_points(const Frame& frame, const filters::FilterOptions& filters) {
-  io::Model points;
-  try {
-    filters::FilterOptions chosen = filters;
-    if (!chosen.any()) {  // a box around everything leaves out what is not finite
-      constexpr double kFar = 1e30;
-      chosen.crop = filters::Box{{-kFar, -kFar, -kFar}, {kFar, kFar, kFar}};
-    }
-    const pcl::PCLPointCloud2 cloud = filters::filter(frame.cloud, chosen);
-    const filters::PositionFields fields(cloud);
-    const pcl::PCLPointField* colour = colour_field(cloud);
-    for (std::size_t i = 0; i < cloud.width; ++i) {
-      const std::uint8_t* point = cloud.data.data() + i * cloud.point_step;
-      const std::array<float, 3> p = fields.load(point);
-      points.positions.push_back({p[0], p[1], p[2]});
-      if (colour != nullptr)  // blue, green, red, alpha
-        points.colours.push_back(
-            {point[colour->offset + 2], point[colour->offset + 1], point[colour->offset]});
-    }
-  } catch (const filters::FilterError& error) {
-    throw CaptureError(error.what());
+pcl::PCLPointCloud2 frame_points(const Frame& frame, const filters::FilterOptions& filters) {
+  filters::FilterOptions chosen = filters;
+  if (!chosen.any()) {  // a box around everything leaves out what is not finite
+    constexpr double kFar = 1e30;
+    chosen.crop = filters::Box{{-kFar, -kFar, -kFar}, {kFar, kFar, kFar}};
   }
-  if (points.positions.empty()) throw CaptureError("no point is left of it");
-  return points;
+  try {
+    pcl::PCLPointCloud2 points = filters::filter(frame.cloud, chosen);
+    if (points.width == 0) throw StreamError("no point is left of it");
+    return points;
+  } catch (const filters::FilterError& error) {
+    throw StreamError(error.what());
+  }
 }
 
-io::Model moved(io::Model points, const Pose& pose) {
-  for (Point& p : points.positions) {
-    const Eigen::Vector3d to = pose * Eigen::Vector3d(p[0], p[1], p[2]);
+pcl::PCLPointCloud2 points_where(const pcl::PCLPointCloud2& cloud,
+                                 const std::function<bool(std::size_t)>& keep) {
+  std::vector<int> kept;
+  for (std::size_t i = 0; i < io::size_of(cloud); ++i)
+    if (keep(i)) kept.push_back(static_cast<int>(i));
+  return io::select(cloud, kept);
+}
+
+pcl::PCLPointCloud2 in_range(const pcl::PCLPointCloud2& cloud, double least, double most) {
+  const std::vector<Point> points = io::positions_of(cloud);
+  return points_where(cloud, [&](std::size_t i) {
+    const double range = Eigen::Vector3d(points[i].data()).norm();
+    return !(range < least || (most > 0 && range > most));
+  });
+}
+
+std::vector<Point> moved(std::vector<Point> points, const Pose& pose) {
+  for (Point& p : points) {
+    const Eigen::Vector3d to = pose * Eigen::Vector3d(p.data());
     p = {to.x(), to.y(), to.z()};
   }
   return points;
 }
 
-double mean_spacing(const io::Model& points) {
+double mean_spacing(const std::vector<Point>& points) {
   constexpr std::size_t kSample = 1000;
+  if (points.size() < 2) return 0;
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
-  if (points.positions.size() < 2) return 0;
-  const Point& origin = points.positions[0];  // single precision would not do for large coordinates
-  for (const Point& p : points.positions)
+  const Point& origin = points[0];  // the tree has single precision, which large coordinates exceed
+  for (const Point& p : points)
     cloud->push_back({static_cast<float>(p[0] - origin[0]), static_cast<float>(p[1] - origin[1]),
                       static_cast<float>(p[2] - origin[2])});
   pcl::search::KdTree<pcl::PointXYZ> tree;
@@ -76,4 +72,4 @@ double mean_spacing(const io::Model& points) {
   return sum / static_cast<double>(count);
 }
 
-}  // namespace filmsticking::capture
+}  // namespace filmsticking::stream

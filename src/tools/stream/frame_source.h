@@ -8,40 +8,40 @@
 
 #include "frame.h"
 
-namespace filmsticking::capture {
+namespace filmsticking::stream {
 
-/// Where frames come from, one after the other. All of them play through a pcl::Grabber.
+/// A recording or a camera that gives frames one after the other.
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
 
-  /// The next frame; none at the end, or for a live one if none has come for a while (see at_end()). Throws
-  /// CaptureError for a frame that is broken; the next call goes on behind it.
+  /// The next frame; none at the end, or if a camera has sent none for a while (see at_end()). Throws
+  /// StreamError for a broken frame; the next call continues after it.
   virtual std::optional<Frame> next() = 0;
 
   virtual bool at_end() const = 0;
 
-  /// How many frames there are in all; none if that is not known.
+  /// The number of frames in all; none if it is unknown.
   virtual std::optional<std::size_t> size() const { return std::nullopt; }
 };
 
-/// The PCD files in the order given, read one at a time by pcl::PCDGrabberBase. A number at the end of a
-/// file's name ("scan_12.5.pcd") is the frame's time.
+/// The PCD files in the order given, one read at a time. A number at the end of a file's name
+/// ("scan_12.5.pcd") is the frame's time.
 std::unique_ptr<FrameSource> pcd_sequence(std::vector<std::string> files);
 
-/// A recording of a depth camera (.oni), or a live one by its OpenNI2 name ("", "#1", a URI), by
-/// pcl::io::OpenNI2Grabber. A recording plays once, at its own speed; frames that are not fetched in time are
-/// dropped, the oldest first. Throws CaptureError, also where PCL was built without OpenNI2.
+/// A recording of a depth camera (.oni), or a camera by its OpenNI2 name ("", "#1", a URI), read by
+/// pcl::io::OpenNI2Grabber. A recording plays once, at its own speed. Frames that are not fetched in time are
+/// dropped, the oldest first. Throws StreamError, also if PCL was built without OpenNI2.
 std::unique_ptr<FrameSource> openni_source(const std::string& device_or_file);
 
-/// Whether openni_source() can work at all.
+/// Whether PCL was built with OpenNI2, which openni_source() needs.
 bool has_openni();
 
-/// The .pcd files of a folder, in the order of their names, numbers in them by value ("2" before "10").
-/// Throws CaptureError if there are none.
+/// The .pcd files of a folder, sorted by name with numbers by value ("2" before "10"). Throws StreamError if
+/// there are none.
 std::vector<std::string> pcd_files_in(const std::string& folder);
 
 /// The number at the end of a file's name without its extension: 12.5 for "scan_12.5.pcd".
 std::optional<double> time_in_name(const std::string& path);
 
-}  // namespace filmsticking::capture
+}  // namespace filmsticking::stream

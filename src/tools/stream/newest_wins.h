@@ -12,15 +12,16 @@
 
 namespace filmsticking::stream {
 
-/// A thread that does one job at a time. While it is busy one job waits: the newest, which takes the place of
-/// an older one. So nothing piles up, and whoever hands in a job never waits.
+/// A thread that runs one job at a time. While it is busy one job waits, the newest: it replaces an older
+/// one. So no queue grows, and no caller waits to hand a job in. A caller that does not want a job to wait
+/// looks at busy() first.
 template <class Job>
 class NewestWins {
  public:
   /// Numbers jobs in the order in which they came, from 1.
   using Ticket = std::uint64_t;
 
-  /// Told the job, its ticket, and a flag that asks it to end soon. Must not throw.
+  /// Runs a job; should return soon once `cancel` is true. Must not throw.
   using Work = std::function<void(Job& job, Ticket ticket, const std::atomic<bool>& cancel)>;
 
   explicit NewestWins(Work work) : work_(std::move(work)), thread_([this] { run(); }) {}
@@ -44,7 +45,7 @@ class NewestWins {
     return ++newest_;
   }
 
-  /// Ends the running job and forgets the waiting one; jobs that come later are done.
+  /// Ends the running job and forgets the waiting one; runs jobs that come later.
   void cancel() {
     const std::lock_guard lock(mutex_);
     waiting_.reset();
@@ -60,7 +61,7 @@ class NewestWins {
     return over_ >= ticket;
   }
 
-  /// Cancels, and takes no job any more. For use before what the work needs goes away.
+  /// Cancels, and runs no later job. Call it before what the work uses is destroyed.
   void stop() {
     const std::lock_guard lock(mutex_);
     stop_ = true;
@@ -75,7 +76,7 @@ class NewestWins {
     return running_ || waiting_;
   }
 
-  /// How many jobs were never begun because a newer one came.
+  /// How many jobs never ran because a newer one replaced them.
   std::int64_t superseded() const {
     const std::lock_guard lock(mutex_);
     return superseded_;
@@ -97,9 +98,9 @@ class NewestWins {
       lock.lock();
       running_ = false;
       if (!waiting_)
-        over_ = newest_;  // younger ones were cancelled, if there are any
+        over_ = newest_;  // younger jobs were cancelled, if there are any
       else if (!cancel_)
-        over_ = ticket;  // else the waiting one is in its place
+        over_ = ticket;  // else the waiting job replaces it
       changed_.notify_all();
     }
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pcl/pcl_config.h>
 
-#include "capture_error.h"
 #include "frame_source.h"
+#include "stream_error.h"
 
 #ifdef HAVE_OPENNI2
 
@@ -16,12 +16,12 @@
 #include <filesystem>
 #include <mutex>
 
-namespace filmsticking::capture {
+namespace filmsticking::stream {
 namespace {
 
 using namespace std::chrono_literals;
 
-/// Frames between the camera's thread and the program's: a few, so that memory is bounded.
+/// The frames that the camera's thread hands to the program's thread: few, so that memory is bounded.
 class FrameQueue {
  public:
   void push(Frame frame) {
@@ -33,7 +33,7 @@ class FrameQueue {
     filled_.notify_one();
   }
 
-  /// Waits a tenth of a second at the most.
+  /// Waits at most a tenth of a second.
   std::optional<Frame> pop() {
     std::unique_lock<std::mutex> lock(mutex_);
     if (!filled_.wait_for(lock, 100ms, [&] { return !frames_.empty(); })) return std::nullopt;
@@ -42,7 +42,7 @@ class FrameQueue {
     return frame;
   }
 
-  /// Whether nothing has come for so long that nothing will; a camera takes its time to begin.
+  /// Whether no frame has come for so long that none will. A camera may take long to begin.
   bool silent() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return frames_.empty() && std::chrono::steady_clock::now() - last_ > (begun_ ? 3s : 10s);
@@ -62,22 +62,22 @@ class OpenniSource : public FrameSource {
   explicit OpenniSource(const std::string& name) : recording_(is_file(name)) {
     try {
       grabber_ = std::make_unique<pcl::io::OpenNI2Grabber>(name);
-      // With colours where the camera has them.
+      // With colours if the camera has them.
       if (grabber_->providesCallback<void(const pcl::PointCloud<pcl::PointXYZRGBA>::ConstPtr&)>())
         listen<pcl::PointXYZRGBA>();
       else
         listen<pcl::PointXYZ>();
       grabber_->start();
-    } catch (const std::exception&) {  // several lines about PCL's own code
-      if (recording_) throw CaptureError(name + ": it is no recording that OpenNI2 can play");
-      throw CaptureError("OpenNI2 finds no depth camera" + (name.empty() ? name : " '" + name + "'"));
+    } catch (const std::exception&) {  // its text is about PCL's own code
+      if (recording_) throw StreamError(name + ": it is no recording that OpenNI2 can play");
+      throw StreamError("OpenNI2 finds no depth camera" + (name.empty() ? name : " '" + name + "'"));
     }
   }
 
   ~OpenniSource() override {
     try {
       grabber_->stop();
-    } catch (const std::exception&) {  // there is nothing left to do with it
+    } catch (const std::exception&) {  // the grabber is destroyed next
     }
   }
 
@@ -96,7 +96,7 @@ class OpenniSource : public FrameSource {
     using Cloud = pcl::PointCloud<PointT>;
     grabber_->registerCallback(
         std::function<void(const typename Cloud::ConstPtr&)>([this](const typename Cloud::ConstPtr& cloud) {
-          // OpenNI2 plays a recording again and again: the end is where the numbers or the times fall.
+          // OpenNI2 repeats a recording: it ends where the numbers or the times fall.
           if (recording_ && (cloud->header.seq < seq_ || cloud->header.stamp < stamp_)) ended_ = true;
           if (ended_) return;
           seq_ = cloud->header.seq;
@@ -111,11 +111,11 @@ class OpenniSource : public FrameSource {
 
   FrameQueue queue_;
   const bool recording_;
-  std::size_t count_ = 0;  // this and the following are for the grabber's thread
+  std::size_t count_ = 0;  // the grabber's thread uses this and what follows
   std::uint32_t seq_ = 0;
   std::uint64_t stamp_ = 0;
   bool ended_ = false;
-  std::unique_ptr<pcl::io::OpenNI2Grabber> grabber_;  // last: it goes first, and with it the callbacks
+  std::unique_ptr<pcl::io::OpenNI2Grabber> grabber_;  // last: it is destroyed first, with the callbacks
 };
 
 }  // namespace
@@ -126,18 +126,18 @@ std::unique_ptr<FrameSource> openni_source(const std::string& device_or_file) {
   return std::make_unique<OpenniSource>(device_or_file);
 }
 
-}  // namespace filmsticking::capture
+}  // namespace filmsticking::stream
 
 #else
 
-namespace filmsticking::capture {
+namespace filmsticking::stream {
 
 bool has_openni() { return false; }
 
 std::unique_ptr<FrameSource> openni_source(const std::string&) {
-  throw CaptureError("this program's PCL was built without OpenNI2, which depth cameras and .oni files need");
+  throw StreamError("this program's PCL was built without OpenNI2, which depth cameras and .oni files need");
 }
 
-}  // namespace filmsticking::capture
+}  // namespace filmsticking::stream
 
 #endif

@@ -1,42 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <pcl/io/pcd_grabber.h>
+#include <pcl/io/pcd_io.h>
 
 #include <filesystem>
+#include <stdexcept>
 
-#include "capture_error.h"
 #include "frame_source.h"
+#include "io/codecs.h"
 #include "io/files.h"
-#include "io/pcd.h"
-#include "strict_pcd.h"
+#include "io/strict_pcd.h"
+#include "stream_error.h"
 
-namespace filmsticking::capture {
+namespace filmsticking::stream {
 namespace {
 
-/// Asks the grabber for a file's frame as it is, with all its fields. A grabber for each file: one that has
-/// many reads them all before the first. Its trigger() is not for use: in PCL 1.13 it ends the program, since
-/// it does not join the thread that it starts.
-class BlobGrabber : public pcl::PCDGrabberBase {
- public:
-  explicit BlobGrabber(const std::string& file) : PCDGrabberBase(file, 0, false) {}
-
-  std::optional<Frame> grab() const {
-    Frame frame;
-    Eigen::Vector4f origin = Eigen::Vector4f::Zero();
-    Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
-    if (numFrames() == 0) return std::nullopt;
-    getCloudAt(0, frame.cloud, origin, orientation);  // PCL 1.13 tells success the wrong way round
-    const std::size_t row = std::size_t{frame.cloud.width} * frame.cloud.point_step;
-    if (row == 0 || frame.cloud.data.size() != row * frame.cloud.height) return std::nullopt;
-    const Eigen::Quaterniond rotation = orientation.cast<double>();
-    if (rotation.norm() > 0.5 && rotation.norm() < 2 && origin.allFinite())  // else there is none to speak of
-      frame.sensor_pose = Pose(Eigen::Translation3d(origin.head<3>().cast<double>()) * rotation.normalized());
-    return frame;
-  }
-
- private:
-  void publish(const pcl::PCLPointCloud2&, const Eigen::Vector4f&, const Eigen::Quaternionf&,
-               const std::string&) const override {}
-};
+/// Reads a file that passed the checks by PCL.
+Frame read_frame(const std::string& file) {
+  Frame frame;
+  Eigen::Vector4f origin = Eigen::Vector4f::Zero();
+  Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
+  int version = 0;
+  if (pcl::PCDReader().read(file, frame.cloud, origin, orientation, version) < 0)
+    throw StreamError("it cannot be read");
+  const Eigen::Quaterniond rotation = orientation.cast<double>();
+  if (rotation.norm() > 0.5 && rotation.norm() < 2 && origin.allFinite())  // else it is no pose
+    frame.sensor_pose = Pose(Eigen::Translation3d(origin.head<3>().cast<double>()) * rotation.normalized());
+  return frame;
+}
 
 class PcdSequence : public FrameSource {
  public:
@@ -48,16 +37,15 @@ class PcdSequence : public FrameSource {
     const std::string name = std::filesystem::path(file).filename().string();
     try {
       const std::string bytes = io::read_file(file);
-      check_pcd(bytes);
-      io::decode_pcd(bytes);  // compressed data that are broken
+      io::check_pcd(bytes);
+      io::decode_pcd(bytes);  // refuses compressed data that are broken
+      Frame frame = read_frame(file);
+      frame.name = name;
+      frame.time = time_in_name(file);
+      return frame;
     } catch (const std::runtime_error& error) {
-      throw CaptureError(name + ": " + error.what());
+      throw StreamError(name + ": " + error.what());
     }
-    std::optional<Frame> frame = BlobGrabber(file).grab();
-    if (!frame) throw CaptureError(name + ": it cannot be read");
-    frame->name = name;
-    frame->time = time_in_name(file);
-    return frame;
   }
 
   bool at_end() const override { return next_ == files_.size(); }
@@ -74,4 +62,4 @@ std::unique_ptr<FrameSource> pcd_sequence(std::vector<std::string> files) {
   return std::make_unique<PcdSequence>(std::move(files));
 }
 
-}  // namespace filmsticking::capture
+}  // namespace filmsticking::stream

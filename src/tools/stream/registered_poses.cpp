@@ -6,47 +6,48 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "frame_points.h"
+#include "mean_cloud.h"
 #include "pose_source.h"
-#include "voxel_map.h"
 
-namespace filmsticking::capture {
+namespace filmsticking::stream {
 namespace {
 
 using PointT = pcl::PointXYZ;
 using Cloud = pcl::PointCloud<PointT>;
 
-/// Enough for a fit, and few enough to be quick.
+/// Enough points for a fit, and few enough for a quick one.
 constexpr std::size_t kFramePoints = 5000, kModelCells = 60000;
 
-/// A frame that fits so well is not fitted from another start, too.
+/// A fit with this overlap is not tried again from another start.
 constexpr double kGoodOverlap = 0.75;
 
-/// PCL's tolerances are absolute, so that all fits are made where a cell is this wide.
+/// PCL's tolerances are absolute, so all fits are scaled to cells of this width.
 constexpr double kCell = 0.01;
 
-io::Model thinned(const io::Model& points, double leaf) {
-  VoxelMap map(leaf, kModelCells);
-  map.add({points.positions, {}, {}});
-  return map.points();
+std::vector<Point> thinned(const std::vector<Point>& points, double leaf) {
+  MeanCloud cells(leaf, kModelCells);
+  cells.add(points);
+  return cells.positions();
 }
 
-class RegisteredPoses : public PoseSource {
+class Registration {
  public:
-  explicit RegisteredPoses(const RegistrationOptions& options) : options_(options) {}
+  explicit Registration(const RegistrationOptions& options) : options_(options) {}
 
-  Placement place(const Frame&, const io::Model& points) override {
+  Placement place(const std::vector<Point>& points) {
     if (!model_) {
       choose_cell(points);
       return accept(points, Pose::Identity());
     }
     const Cloud::Ptr source = to_cloud(thinned(points, cell_));
-    const Cloud::Ptr target = to_cloud(model_->points());
+    const Cloud::Ptr target = to_cloud(model_->positions());
     pcl::search::KdTree<PointT>::Ptr tree(new pcl::search::KdTree<PointT>);
     tree->setInputCloud(target);
 
-    // The sensor goes on as it did, also through frames that were left out, or it stands still.
+    // Either the sensor repeats its last motion, once a frame that was left out, too, or it stands still.
     Pose on = last_ * step_;
     for (int k = 0; k < left_out_; ++k) on = on * step_;
     double best = 0;
@@ -69,29 +70,30 @@ class RegisteredPoses : public PoseSource {
   }
 
  private:
-  /// The cell in which a frame has at most kFramePoints points; the origin is where all is fitted around.
-  void choose_cell(const io::Model& points) {
+  /// Chooses the width in which a frame has at most kFramePoints cells, and the origin of all fits: the
+  /// middle of the first frame.
+  void choose_cell(const std::vector<Point>& points) {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const Point& p : points.positions) middle += Eigen::Vector3d(p[0], p[1], p[2]);
-    middle /= static_cast<double>(points.positions.size());
+    for (const Point& p : points) middle += Eigen::Vector3d(p[0], p[1], p[2]);
+    middle /= static_cast<double>(points.size());
     cell_ = mean_spacing(points);
     if (!(cell_ > 0)) cell_ = 1;
-    while (thinned(points, cell_).positions.size() > kFramePoints) cell_ *= 1.5;
+    while (thinned(points, cell_).size() > kFramePoints) cell_ *= 1.5;
     origin_ = Pose(Eigen::Translation3d(middle));
     model_.emplace(cell_, kModelCells);
   }
 
-  /// The points around the origin, and scaled to cells of width kCell.
-  Cloud::Ptr to_cloud(const io::Model& points) const {
+  /// The points relative to the origin, scaled to cells of width kCell.
+  Cloud::Ptr to_cloud(const std::vector<Point>& points) const {
     Cloud::Ptr cloud(new Cloud);
-    for (const Point& p : points.positions) {
+    for (const Point& p : points) {
       const Eigen::Vector3d q = origin_.inverse() * Eigen::Vector3d(p[0], p[1], p[2]) * (kCell / cell_);
       cloud->push_back({static_cast<float>(q.x()), static_cast<float>(q.y()), static_cast<float>(q.z())});
     }
     return cloud;
   }
 
-  /// The same motion for scaled points around the origin.
+  /// The same motion for such points.
   Eigen::Matrix4f to_fit(const Pose& pose) const {
     Pose local = origin_.inverse() * pose * origin_;
     local.translation() *= kCell / cell_;
@@ -106,12 +108,12 @@ class RegisteredPoses : public PoseSource {
     return origin_ * local * origin_.inverse();
   }
 
-  /// It ends when a round changes less than a thousandth of a cell.
+  /// The fit converges when an iteration moves less than a thousandth of a cell.
   std::unique_ptr<pcl::Registration<PointT, PointT>> make_fit() const {
     constexpr double kStill = kCell / 1000;
     if (options_.fit == Fit::Icp) {
       auto icp = std::make_unique<pcl::IterativeClosestPoint<PointT, PointT>>();
-      icp->setTransformationEpsilon(kStill * kStill);  // it compares squares
+      icp->setTransformationEpsilon(kStill * kStill);  // PCL compares squares
       return icp;
     }
     auto gicp = std::make_unique<pcl::GeneralizedIterativeClosestPoint<PointT, PointT>>();
@@ -120,10 +122,10 @@ class RegisteredPoses : public PoseSource {
     return gicp;
   }
 
-  /// Coarse, then fine.
+  /// Fits with a wide reach, then with a narrow one.
   std::optional<Pose> fit(const Cloud::Ptr& source, const Cloud::Ptr& target,
                           const pcl::search::KdTree<PointT>::Ptr& tree, const Pose& guess) const {
-    if (source->size() < 20 || target->size() < 20) return std::nullopt;  // GICP takes 20 neighbours
+    if (source->size() < 20 || target->size() < 20) return std::nullopt;  // GICP needs 20 neighbours
     Eigen::Matrix4f pose = to_fit(guess);
     const auto method = make_fit();
     method->setInputSource(source);
@@ -135,7 +137,7 @@ class RegisteredPoses : public PoseSource {
       Cloud ignored;
       try {
         method->align(ignored, pose);
-      } catch (const pcl::PCLException&) {  // GICP's, for degenerate clouds
+      } catch (const pcl::PCLException&) {  // GICP throws it for degenerate clouds
         return std::nullopt;
       }
       if (!method->getFinalTransformation().allFinite()) return std::nullopt;
@@ -144,7 +146,7 @@ class RegisteredPoses : public PoseSource {
     return from_fit(pose);
   }
 
-  /// The share of the frame's points with a model point as near as a cell is wide.
+  /// The share of the frame's points that are within a cell's width of a model point.
   double overlap_of(const Cloud& source, const pcl::search::KdTree<PointT>& tree, const Pose& pose) const {
     const Eigen::Affine3f motion(to_fit(pose));
     std::size_t near = 0;
@@ -158,12 +160,12 @@ class RegisteredPoses : public PoseSource {
     return static_cast<double>(near) / static_cast<double>(source.size());
   }
 
-  Placement accept(const io::Model& points, const Pose& pose) {
-    if (left_out_ == 0) step_ = last_.inverse() * pose;  // else it would be several
+  Placement accept(const std::vector<Point>& points, const Pose& pose) {
+    if (left_out_ == 0) step_ = last_.inverse() * pose;  // else it would span several frames
     left_out_ = 0;
     last_ = pose;
-    model_->add(moved({points.positions, {}, {}}, pose));
-    cell_ = model_->leaf();  // it may have got coarser
+    model_->add(moved(points, pose));
+    cell_ = model_->width();  // the model may have become coarser
     return {pose, ""};
   }
 
@@ -172,14 +174,15 @@ class RegisteredPoses : public PoseSource {
   Pose origin_ = Pose::Identity();
   Pose last_ = Pose::Identity();
   Pose step_ = Pose::Identity();
-  int left_out_ = 0;  ///< frames since the last that fitted
-  std::optional<VoxelMap> model_;
+  int left_out_ = 0;  ///< frames since the last one that fitted
+  std::optional<MeanCloud> model_;
 };
 
 }  // namespace
 
-std::unique_ptr<PoseSource> registered_poses(const RegistrationOptions& options) {
-  return std::make_unique<RegisteredPoses>(options);
+PoseSource registered_poses(const RegistrationOptions& options) {
+  return [registration = std::make_shared<Registration>(options)](
+             const Frame&, const std::vector<Point>& points) { return registration->place(points); };
 }
 
-}  // namespace filmsticking::capture
+}  // namespace filmsticking::stream

@@ -7,8 +7,8 @@
 
 namespace filmsticking::stream {
 
-std::vector<float> shades(const io::Model& mesh) {
-  std::vector<Eigen::Vector3d> normals(mesh.positions.size(), Eigen::Vector3d::Zero());  // weighted by area
+std::vector<float> shades(const Mesh& mesh) {
+  std::vector<Eigen::Vector3d> normals(mesh.positions.size(), Eigen::Vector3d::Zero());  // by area
   for (const Triangle& t : mesh.triangles) {
     const Eigen::Vector3d a(mesh.positions[t[0]].data()), b(mesh.positions[t[1]].data()),
         c(mesh.positions[t[2]].data());

@@ -3,12 +3,12 @@
 
 #include <vector>
 
-#include "io/model.h"
+#include "filmsticking/types.h"
 
 namespace filmsticking::stream {
 
-/// How light each vertex is, from 0.5 (turned away) to 1, under a lamp high up on one side. For viewers that
-/// do not light triangles with colours of their own, as rviz does not.
-std::vector<float> shades(const io::Model& mesh);
+/// The brightness of each vertex, from 0.5 (turned away) to 1, under a lamp above and to one side. rviz needs
+/// it: it does not light triangles that have colours of their own.
+std::vector<float> shades(const Mesh& mesh);
 
 }  // namespace filmsticking::stream

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstdio>
 
-#include "capture_error.h"
 #include "io/text_scanner.h"
+#include "stream_error.h"
 
-namespace filmsticking::capture {
+namespace filmsticking::stream {
 
 void Trajectory::add(double time, const Pose& pose) {
-  if (!times_.empty() && !(time > times_.back())) throw CaptureError("its times do not rise");
+  if (!times_.empty() && !(time > times_.back())) throw StreamError("its times do not rise");
   times_.push_back(time);
   poses_.push_back(pose);
 }
@@ -42,13 +42,13 @@ Trajectory parse_trajectory(std::string_view text) {
     double v[8];
     for (double& x : v)
       if (!line.number(x) || !std::isfinite(x))
-        throw CaptureError("line " + std::to_string(number) + " is not 'time tx ty tz qx qy qz qw'");
+        throw StreamError("line " + std::to_string(number) + " is not 'time tx ty tz qx qy qz qw'");
     const Eigen::Quaterniond rotation(v[7], v[4], v[5], v[6]);
     if (!(std::abs(rotation.norm() - 1) < 0.01))
-      throw CaptureError("line " + std::to_string(number) + " has a quaternion that is not of length 1");
+      throw StreamError("line " + std::to_string(number) + " has a quaternion that is not of length 1");
     trajectory.add(v[0], Pose(Eigen::Translation3d(v[1], v[2], v[3]) * rotation.normalized()));
   }
-  if (trajectory.size() == 0) throw CaptureError("there are no poses in it");
+  if (trajectory.size() == 0) throw StreamError("there are no poses in it");
   return trajectory;
 }
 
@@ -61,4 +61,4 @@ std::string trajectory_line(double time, const Pose& pose) {
   return line;
 }
 
-}  // namespace filmsticking::capture
+}  // namespace filmsticking::stream

@@ -5,8 +5,10 @@
 
 #include <chrono>
 #include <set>
+#include <string>
 #include <vector>
 
+#include "io/cloud.h"
 #include "support/clouds.h"
 #include "support/surface_check.h"
 
@@ -15,24 +17,34 @@ namespace {
 
 using std::chrono::seconds;
 
-const Mesher::Clock::time_point kStart = Mesher::Clock::now();
+const LiveMesher::Clock::time_point kStart = LiveMesher::Clock::now();
 
-io::Model ball(int points, std::uint64_t seed = 1, Point centre = {0, 0, 0}) {
-  return {test::sphere(points, seed, centre), {}, {}};
+Frame frame_of(const std::vector<Point>& points, const std::vector<io::Colour>& colours = {}) {
+  Frame frame;
+  frame.cloud = io::make_cloud(points, colours);
+  return frame;
 }
 
-class MesherTest : public testing::Test {
+Frame ball(int points, std::uint64_t seed = 1, Point centre = {0, 0, 0}) {
+  return frame_of(test::sphere(points, seed, centre));
+}
+
+std::string fault_of(const LiveOutcome& outcome) {
+  return test::surface_fault({io::positions_of(outcome.mesh.cloud), io::triangles_of(outcome.mesh.polygons)});
+}
+
+class LiveMesherTest : public testing::Test {
  protected:
-  std::vector<Outcome> published;
-  Mesher mesher{[this](const Outcome& outcome) { published.push_back(outcome); }};
+  std::vector<LiveOutcome> published;
+  LiveMesher mesher{[this](const LiveOutcome& outcome) { published.push_back(outcome); }};
   Settings settings;
 };
 
-TEST_F(MesherTest, MeshesEachFrameAsItCame) {
-  io::Model frame = ball(500);
-  for (Point& p : frame.positions)
+TEST_F(LiveMesherTest, MeshesEachFrameAsItCame) {
+  std::vector<Point> points = test::sphere(500, 1);
+  for (Point& p : points)
     for (double& x : p) x = static_cast<float>(x);
-  frame.colours.assign(frame.positions.size(), {10, 20, 30});
+  const Frame frame = frame_of(points, std::vector<io::Colour>(points.size(), {10, 20, 30}));
   mesher.set(settings);
   mesher.add(frame, {"map", 42}, kStart);
   const auto outcome = mesher.wait(1);
@@ -40,23 +52,24 @@ TEST_F(MesherTest, MeshesEachFrameAsItCame) {
   EXPECT_EQ(outcome->status, Status::Ok);
   EXPECT_EQ(outcome->origin.frame_id, "map");
   EXPECT_EQ(outcome->origin.stamp, 42);
-  EXPECT_EQ(test::surface_fault({outcome->mesh.positions, outcome->mesh.triangles}), "");
-  EXPECT_EQ(outcome->mesh.colours, std::vector<io::Colour>(outcome->mesh.positions.size(), {10, 20, 30}));
-  const std::set<Point> points(frame.positions.begin(), frame.positions.end());
-  for (const Point& p : outcome->mesh.positions) EXPECT_TRUE(points.count(p));
+  EXPECT_EQ(fault_of(*outcome), "");
+  const std::vector<Point> vertices = io::positions_of(outcome->mesh.cloud);
+  EXPECT_EQ(io::colours_of(outcome->mesh.cloud), std::vector<io::Colour>(vertices.size(), {10, 20, 30}));
+  const std::set<Point> known(points.begin(), points.end());
+  for (const Point& p : vertices) EXPECT_TRUE(known.count(p));
   ASSERT_EQ(published.size(), 1u);
-  EXPECT_EQ(published[0].mesh.triangles, outcome->mesh.triangles);
+  EXPECT_EQ(io::triangles_of(published[0].mesh.polygons), io::triangles_of(outcome->mesh.polygons));
   EXPECT_EQ(mesher.last_mesh(), outcome);
 }
 
-TEST_F(MesherTest, ByCount) {
+TEST_F(LiveMesherTest, ByCount) {
   settings.every_frames = 3;
   settings.bounds.window = 0;
   mesher.set(settings);
   for (int frame = 1; frame <= 7; ++frame) {
     mesher.add(ball(60, static_cast<std::uint64_t>(frame)), {"map", frame}, kStart);
     if (frame % 3 == 0) {
-      const auto outcome = mesher.wait(static_cast<Mesher::Ticket>(frame / 3));
+      const auto outcome = mesher.wait(static_cast<LiveMesher::Ticket>(frame / 3));
       ASSERT_TRUE(outcome);
       EXPECT_EQ(outcome->points, 60 * frame);
       EXPECT_EQ(outcome->origin.stamp, frame);
@@ -66,7 +79,7 @@ TEST_F(MesherTest, ByCount) {
   EXPECT_EQ(mesher.facts().frames, 7);
 }
 
-TEST_F(MesherTest, ByTimeIfSomethingCame) {
+TEST_F(LiveMesherTest, ByTimeIfSomethingCame) {
   settings.every_frames = 0;
   settings.every_seconds = 2;
   mesher.set(settings);
@@ -84,23 +97,23 @@ TEST_F(MesherTest, ByTimeIfSomethingCame) {
   EXPECT_EQ(mesher.facts().meshes, 2);
 }
 
-TEST_F(MesherTest, OnRequestOnly) {
+TEST_F(LiveMesherTest, OnRequestOnly) {
   settings.every_frames = 0;
   mesher.set(settings);
   EXPECT_EQ(mesher.request(), 0u);
   mesher.add(ball(100), {}, kStart);
   EXPECT_FALSE(mesher.facts().busy);
-  const Mesher::Ticket ticket = mesher.request();
+  const LiveMesher::Ticket ticket = mesher.request();
   ASSERT_EQ(ticket, 1u);
   ASSERT_TRUE(mesher.wait(ticket));
   EXPECT_EQ(mesher.facts().held, 100);
 }
 
-TEST_F(MesherTest, SaysWhyThereIsNoMeshAndKeepsTheLast) {
+TEST_F(LiveMesherTest, SaysWhyThereIsNoMeshAndKeepsTheLast) {
   mesher.set(settings);
   mesher.add(ball(100), {}, kStart);
   const auto good = mesher.wait(1);
-  mesher.add({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 3, 0}}, {}, {}}, {}, kStart);
+  mesher.add(frame_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 3, 0}}), {}, kStart);
   const auto flat = mesher.wait(2);
   ASSERT_TRUE(flat);
   EXPECT_EQ(flat->status, Status::Coplanar);
@@ -109,7 +122,7 @@ TEST_F(MesherTest, SaysWhyThereIsNoMeshAndKeepsTheLast) {
   EXPECT_EQ(mesher.last_mesh(), good);
 }
 
-TEST_F(MesherTest, RunsTheFilters) {
+TEST_F(LiveMesherTest, RunsTheFilters) {
   settings.filters.crop = filters::Box{{-2, -2, -2}, {2, 2, 2}};
   settings.bounds.window = 2;
   settings.every_frames = 2;
@@ -122,7 +135,7 @@ TEST_F(MesherTest, RunsTheFilters) {
   EXPECT_EQ(outcome->report.points, 200);
 }
 
-TEST_F(MesherTest, AFilterThatCannotRunIsAFailure) {
+TEST_F(LiveMesherTest, AFilterThatCannotRunIsAFailure) {
   settings.filters.voxel = 1e-300;
   mesher.set(settings);
   mesher.add(ball(200), {}, kStart);
@@ -132,7 +145,7 @@ TEST_F(MesherTest, AFilterThatCannotRunIsAFailure) {
   EXPECT_FALSE(outcome->message.empty());
 }
 
-TEST_F(MesherTest, ResetForgetsAllAndPublishesAnEmptyMesh) {
+TEST_F(LiveMesherTest, ResetForgetsAllAndPublishesAnEmptyMesh) {
   mesher.set(settings);
   mesher.add(ball(20000), {"map", 1}, kStart);  // still runs at the reset, or does not: nothing is left of it
   mesher.reset();
@@ -141,7 +154,7 @@ TEST_F(MesherTest, ResetForgetsAllAndPublishesAnEmptyMesh) {
   EXPECT_FALSE(mesher.wait(1));
   EXPECT_FALSE(mesher.last_mesh());
   ASSERT_FALSE(published.empty());
-  EXPECT_TRUE(published.back().mesh.triangles.empty());
+  EXPECT_TRUE(published.back().mesh.polygons.empty());
 
   mesher.add(ball(100), {"map", 2}, kStart);
   const auto outcome = mesher.wait(2);
@@ -149,7 +162,7 @@ TEST_F(MesherTest, ResetForgetsAllAndPublishesAnEmptyMesh) {
   EXPECT_EQ(outcome->points, 100);
 }
 
-TEST_F(MesherTest, ABurstEndsWithTheNewestAndHoldsNoMoreThanItMay) {
+TEST_F(LiveMesherTest, ABurstEndsWithTheNewestAndHoldsNoMoreThanItMay) {
   settings.bounds.window = 0;
   settings.bounds.max_points = 3000;
   mesher.set(settings);
@@ -159,14 +172,14 @@ TEST_F(MesherTest, ABurstEndsWithTheNewestAndHoldsNoMoreThanItMay) {
   const auto outcome = mesher.wait(kFrames);
   ASSERT_TRUE(outcome);
   EXPECT_EQ(outcome->origin.stamp, kFrames);
-  EXPECT_EQ(test::surface_fault({outcome->mesh.positions, outcome->mesh.triangles}), "");
+  EXPECT_EQ(fault_of(*outcome), "");
   const Facts facts = mesher.facts();
   EXPECT_LE(facts.held, 3000);
   EXPECT_GT(facts.given_up, 0);
   EXPECT_EQ(facts.meshes + facts.superseded, kFrames);
 }
 
-TEST_F(MesherTest, NewerDataCanEndTheRunningOne) {
+TEST_F(LiveMesherTest, NewerDataCanEndTheRunningOne) {
   settings.cancel_outdated = true;
   mesher.set(settings);
   mesher.add(ball(100000), {"map", 1}, kStart);

@@ -7,9 +7,8 @@ namespace filmsticking::stream {
 namespace {
 
 TEST(Shades, WhatFacesUpIsLighterThanWhatFacesDown) {
-  io::Model mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}, {5, 6, 5}, {6, 5, 5}, {9, 9, 9}},
-                 {},
-                 {{0, 1, 2}, {3, 4, 5}}};  // the first up, the second down, the last point in none
+  const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}, {5, 6, 5}, {6, 5, 5}, {9, 9, 9}},
+                  {{0, 1, 2}, {3, 4, 5}}};  // the first up, the second down, the last point in none
   const std::vector<float> light = shades(mesh);
   ASSERT_EQ(light.size(), 7u);
   for (const float shade : light) {
