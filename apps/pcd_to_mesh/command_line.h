@@ -21,10 +21,11 @@ struct Task {
 /// What the user asked pcd_to_mesh for.
 struct CommandLine {
   std::vector<Task> tasks;
-  bool batch = false;      ///< the outputs are named by the program, in `folder`
-  std::string folder;      ///< of a batch
-  std::string from;        ///< the inputs' format; empty: by their names, of standard input by its content
-  std::string to;          ///< the format of standard output
+  bool batch = false;  ///< the outputs are named by the program, in `folder`
+  std::string folder;  ///< of a batch
+  std::string
+      from;  ///< the format of the inputs; empty: by the name of a file, by the content of standard input
+  std::string to = "ply";  ///< the format of standard output and of a batch
   std::string report;      ///< JSON file; empty: none
   std::string dump_steps;  ///< folder for the film after each step; empty: none
   int jobs = 1;            ///< tasks at a time
