@@ -7,13 +7,13 @@
 
 namespace filmsticking::app {
 
-/// What a mesh is, in lines that a person can read: the file, closed or not, the genus, the points used.
+/// A description of a mesh in lines for people: the file, closed or not, the genus, the points used.
 std::string mesh_summary(const Result& result, const std::string& file);
 
-/// "1.2 s, 35 MB of memory at most", the memory being that of this process so far.
+/// "1.2 s, 35 MB of memory at most": the second is peak_memory_bytes().
 std::string cost_summary(double seconds);
 
-/// The most memory that this process has had, in bytes.
+/// The largest resident set of this process so far, in bytes.
 std::int64_t peak_memory_bytes();
 
 }  // namespace filmsticking::app

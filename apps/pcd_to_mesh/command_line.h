@@ -9,19 +9,19 @@
 
 namespace filmsticking::app {
 
-/// For a file's name: standard input or output.
+/// As the name of a file: standard input or output.
 constexpr const char* kStandardStream = "-";
 
-/// A cloud and the mesh that it becomes.
+/// A cloud and the mesh to make of it.
 struct Task {
   std::string input;
   std::string output;
 };
 
-/// What the user asked pcd_to_mesh for.
+/// The command line of pcd_to_mesh.
 struct CommandLine {
   std::vector<Task> tasks;
-  bool batch = false;  ///< the outputs are named by the program, in `folder`
+  bool batch = false;  ///< the program names the outputs, in `folder`
   std::string folder;  ///< of a batch
   std::string
       from;  ///< the format of the inputs; empty: by the name of a file, by the content of standard input

@@ -12,7 +12,7 @@
 
 namespace filmsticking::bench {
 
-/// What the user asked compare for.
+/// The command line of compare.
 struct CommandLine {
   enum class Mode { Quality, Speed, Sheet, Sample };
   Mode mode = Mode::Quality;

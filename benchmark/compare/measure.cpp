@@ -10,7 +10,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kOutOfMemory = 3;          // exit code of run_method
-constexpr double kReportSeconds = 3600;  // nothing that mesh_report is given should take it that long
+constexpr double kReportSeconds = 3600;  // far above what mesh_report needs
 
 /// The last line that is not empty.
 std::string last_line(const std::string& text) {
@@ -27,7 +27,7 @@ std::string cell(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// The status of a run that brought no mesh.
+/// The status of a run without a mesh.
 void set_failure(Row& row, const ChildEnd& end, const Limits& limits) {
   const std::string said = last_line(end.err);
   if (end.timed_out) {

@@ -405,7 +405,7 @@ TEST(PcdToMesh, OutliersAreLeftOffUnlessKept) {
   io::write_model(folder / "cloud.ply", cloud);
   const Outcome outcome = pcd_to_mesh({folder / "cloud.ply", folder / "mesh.ply"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("1 outlier left off"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("1 outlier left out"), std::string::npos) << outcome.out;
   const Model mesh = io::read_mesh(folder / "mesh.ply");
   EXPECT_EQ(std::count(mesh.positions.begin(), mesh.positions.end(), stray), 0);
   const Outcome kept = pcd_to_mesh({folder / "cloud.ply", folder / "kept.ply", "--keep-outliers"});
