@@ -10,16 +10,16 @@
 
 namespace filmsticking::app {
 
-/// Where the frames' poses come from.
+/// The source of the poses of frames.
 enum class Align {
-  Auto,    ///< the clouds' sensor poses where they have one; else by registration
+  Auto,    ///< the sensor pose of a cloud if it has one, else registration
   Poses,   ///< a trajectory file
-  Sensor,  ///< the clouds' sensor poses
+  Sensor,  ///< the sensor poses of the clouds
   Icp,     ///< registration
   Gicp,    ///< registration
 };
 
-/// What the user asked capture_to_mesh for.
+/// The command line of capture_to_mesh.
 struct CommandLine {
   std::vector<std::string> inputs;    ///< files, or one folder
   std::optional<std::string> device;  ///< a live camera
@@ -28,12 +28,12 @@ struct CommandLine {
   std::string save_poses;  ///< empty: not saved
   std::string save_cloud;  ///< empty: not saved
   Align align = Align::Auto;
-  double fuse = 0;  ///< width of a fused cell; 0: by the first frame
+  double fuse = 0;  ///< width of a fused cell; 0: chosen by the first frame
   double min_overlap = 0.35;
   int seen_by = 1;
   int most_points = 1000000;
   int every = 0;   ///< frames between meshes while capturing; 0: none
-  int stride = 1;  ///< every so manyth frame is used
+  int stride = 1;  ///< use one frame of so many
   int frames = 0;  ///< at most; 0: all
   filters::FilterOptions filters;
   Options options;

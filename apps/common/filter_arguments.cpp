@@ -1,28 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_arguments.h"
 
-namespace po = boost::program_options;
-
 namespace filmsticking::app {
 
-po::options_description filter_arguments() {
-  po::options_description options("Filters, in the order in which they run; none unless asked for", 100);
+void add_filters(Arguments& arguments, filters::FilterOptions& options) {
+  arguments.group("Filters, in the order in which they run; none runs unless asked for");
   for (const filters::FilterChoice& choice : filters::filter_choices())
-    options.add_options()(choice.name, po::value<std::string>()->value_name(choice.value), choice.help);
-  return options;
-}
-
-filters::FilterOptions filter_options(const Arguments& given) {
-  filters::FilterOptions options;
-  for (const filters::FilterChoice& choice : filters::filter_choices())
-    given.with(choice.name, [&](const std::string& name, const std::string& text) {
-      try {
-        filters::set_filter(options, name, text);
-      } catch (const filters::FilterError& error) {
-        throw UsageError(std::string("--") + error.what());
-      }
-    });
-  return options;
+    arguments.option(std::string("--") + choice.name, choice.value, choice.help,
+                     [&options, name = choice.name](const std::string& text) {
+                       try {
+                         filters::set_filter(options, name, text);
+                       } catch (const filters::FilterError& error) {
+                         throw UsageError(std::string("--") + error.what());
+                       }
+                     });
 }
 
 std::string names_of(const filters::FilterOptions& options) {

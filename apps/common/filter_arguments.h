@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 #include "arguments.h"
 #include "filters/filter_options.h"
 
 namespace filmsticking::app {
 
-/// The filters, as --help shows them.
-boost::program_options::options_description filter_arguments();
+/// Adds the options of the filters, under a heading of their own.
+void add_filters(Arguments& arguments, filters::FilterOptions& options);
 
-/// Throws UsageError.
-filters::FilterOptions filter_options(const Arguments& given);
-
-/// The names of the filters that are on, in their order: "sor, voxel".
+/// The names of the filters that run, in their order: "sor, voxel".
 std::string names_of(const filters::FilterOptions& options);
 
 }  // namespace filmsticking::app

@@ -15,7 +15,7 @@ void complain(const char* program, const std::string& what) {
 }
 
 int run_program(const char* program, const std::function<int()>& body) noexcept {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file past the size limit is an error to tell of, as a full disk is
+  std::signal(SIGXFSZ, SIG_IGN);  // write() then fails past the size limit of files, as on a full disk
   try {
     return body();
   } catch (const UsageError& error) {

@@ -10,8 +10,8 @@ namespace filmsticking::app {
 /// Exit statuses; 0 is success.
 constexpr int kFailed = 1, kWrongUsage = 2, kInterrupted = 130;
 
-/// Runs `body`, whose result is the exit status. What it throws becomes a line on stderr that begins with the
-/// program's name; UsageError gives kWrongUsage, everything else kFailed.
+/// Runs `body` and returns its result, the exit status. An exception becomes a line on stderr that begins
+/// with the name of the program; the status is kWrongUsage for UsageError, else kFailed.
 int run_program(const char* program, const std::function<int()>& body) noexcept;
 
 /// Prints "PROGRAM: WHAT." on stderr.

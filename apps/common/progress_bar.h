@@ -5,17 +5,18 @@
 
 namespace filmsticking::app {
 
-/// A line on stderr that shows the share done; nothing where stderr is not a terminal.
+/// A line on stderr that shows the share of the work done. Prints nothing if stderr is not a terminal.
 class ProgressBar {
  public:
   ProgressBar();
-  ~ProgressBar();  ///< takes the line away
+  ~ProgressBar();  ///< clears the line
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
+  /// `share`: from 0 to 1; `at_work`: the name of the stage.
   void show(double share, const std::string& at_work);
 
-  /// Takes the line away, so that another may be written; show() brings it back.
+  /// Clears the line, so that the program can print another; show() draws it again.
   void hide();
 
  private:

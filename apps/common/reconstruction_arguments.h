@@ -6,10 +6,7 @@
 
 namespace filmsticking::app {
 
-/// The options of a reconstruction, as --help shows them.
-boost::program_options::options_description reconstruction_arguments();
-
-/// Throws UsageError.
-Options reconstruction_options(const Arguments& given);
+/// Adds the options of a reconstruction, under a heading of their own.
+void add_reconstruction(Arguments& arguments, Options& options);
 
 }  // namespace filmsticking::app

@@ -5,10 +5,10 @@
 
 namespace filmsticking::app {
 
-/// Whether SIGINT or SIGTERM has come since stop_on_signal(); settable by the program too.
+/// Whether the process has received SIGINT or SIGTERM since stop_on_signal(). The program may set it, too.
 extern std::atomic<bool> stop_asked;
 
-/// From now on the first signal sets `stop_asked`, so that a program can end cleanly; a second one ends it at
+/// Makes the first signal set `stop_asked`, so that the program can end cleanly. A second signal ends it at
 /// once.
 void stop_on_signal();
 

@@ -22,7 +22,7 @@ std::string mesh_summary(const Report& report, const std::string& file) {
                     ? 100.0 * static_cast<double>(report.interpolated) / static_cast<double>(report.sites)
                     : 0.0);
   text += "used    " + std::to_string(report.interpolated) + " of " + count(report.sites, "point") + share;
-  if (report.outliers > 0) text += ", " + count(report.outliers, "outlier") + " left off";
+  if (report.outliers > 0) text += ", " + count(report.outliers, "outlier") + " left out";
   return text + "\n";
 }
 

@@ -12,10 +12,10 @@ namespace filmsticking::app {
 /// the points used.
 std::string mesh_summary(const Report& report, const std::string& file);
 
-/// "1.2 s, 35 MB of memory at most", the memory being that of this process so far.
+/// "1.2 s, 35 MB of memory at most": the second is peak_memory_bytes().
 std::string cost_summary(double seconds);
 
-/// The most memory that this process has had, in bytes.
+/// The largest resident set of this process so far, in bytes.
 std::int64_t peak_memory_bytes();
 
 }  // namespace filmsticking::app

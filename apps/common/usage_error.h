@@ -5,7 +5,7 @@
 
 namespace filmsticking::app {
 
-/// A command line that makes no sense; what() is a sentence for the user without its full stop.
+/// A wrong command line; what() is a sentence for the user, without its full stop.
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -1,34 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command_line.h"
 
-#include <boost/program_options.hpp>
-#include <charconv>
-#include <sstream>
-#include <vector>
-
-namespace po = boost::program_options;
+#include "common/arguments.h"
 
 namespace filmsticking::app {
 namespace {
 
-po::options_description visible_options() {
-  po::options_description options("Options", 100);
-  options.add_options()("points", po::value<std::string>()->value_name("CLOUD"),
-                        "the points that the mesh was made from")(
-      "truth", po::value<std::string>()->value_name("MESH"), "the true surface")(
-      "samples", po::value<std::string>()->value_name("N"),
-      "points on each of the two surfaces for the distances between them; default 100000, at most 1000000")(
-      "json", "print one JSON object")("help", "print this text");
-  return options;
-}
-
-std::size_t parse_samples(const std::string& text) {
-  std::size_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || rest != end || value < 1 || value > mesh_report::kMostSamples)
-    throw UsageError("--samples takes a whole number from 1 to 1000000, not '" + text + "'");
-  return value;
+void add_options(Arguments& arguments, CommandLine& command) {
+  arguments.only_flag("--help", "print this text", command.help);
+  arguments.option("--points", "CLOUD", "the points that the mesh was made from", command.points);
+  arguments.option("--truth", "MESH", "the true surface", command.truth);
+  arguments.count("--samples", "N",
+                  "points on each of the two surfaces for the distances between them; default 100000, at "
+                  "most 1000000",
+                  command.samples, 1, mesh_report::kMostSamples);
+  arguments.flag("--json", "print one JSON object", command.json);
 }
 
 const char* const kDefinitions = R"(
@@ -52,8 +38,8 @@ With --points
   cloud_distance_mean, cloud_distance_max   from the points to the mesh, in the cloud's unit
 
 With --truth
-  Both surfaces are moved and scaled by what brings the truth's box to the origin and its longest side to 1;
-  N points spread evenly over the area of each are measured to the other. Same files, same points.
+  Both surfaces are moved and scaled alike, so that the box of the truth is at the origin and its longest
+  side is 1; N points spread evenly over the area of each are measured to the other. Same files, same points.
   chamfer_e3          mean of the two mean distances, x 1000
   f_score             percent: harmonic mean of the two shares of points nearer than 0.005
   normal_consistency  percent: mean of the two mean |cosines| between the normals of a point's own face and
@@ -71,44 +57,28 @@ With --truth
 }  // namespace
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
-  po::options_description all = visible_options();
-  all.add_options()("file", po::value<std::vector<std::string>>());
-  po::positional_options_description positional;
-  positional.add("file", -1);
-  po::variables_map given;
-  try {
-    using namespace po::command_line_style;
-    const int style = allow_long | long_allow_adjacent | long_allow_next;
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
-              given);
-  } catch (const po::error& error) {
-    throw UsageError(error.what());
-  }
-
   CommandLine command;
-  command.help = given.count("help") > 0;
-  if (command.help) return command;
-  if (!given.count("file") || given["file"].as<std::vector<std::string>>().size() != 1)
-    throw UsageError("one MESH is needed; --help tells more");
-  command.mesh = given["file"].as<std::vector<std::string>>()[0];
-  if (given.count("truth")) command.truth = given["truth"].as<std::string>();
-  if (given.count("points")) command.points = given["points"].as<std::string>();
-  if (given.count("samples")) command.samples = parse_samples(given["samples"].as<std::string>());
-  command.json = given.count("json") > 0;
+  Arguments arguments;
+  add_options(arguments, command);
+  if (!arguments.parse(argc, argv)) return command;
+  if (arguments.files().size() != 1) throw UsageError("one MESH is needed; see --help");
+  command.mesh = arguments.files()[0];
   return command;
 }
 
 std::string usage() {
-  std::ostringstream text;
-  text << "usage: mesh_report MESH [options]\n\n"
-          "Tells whether a mesh is closed, manifold and free of self-intersections, how near it is to the "
-          "points\n"
-          "it was made from, and how near to the true surface.\n"
-          "  MESH   .ply .obj .stl .vtk (and clouds, as meshes without faces)\n"
-          "  CLOUD  .pcd .ply .obj .stl .xyz .txt (of a mesh, the vertices)\n\n"
-       << visible_options() << kDefinitions
-       << "\nExit status: 0 with a report, whatever it says; 2 for a wrong command line, else 1.\n";
-  return text.str();
+  CommandLine command;
+  Arguments arguments;
+  add_options(arguments, command);
+  return R"(usage: mesh_report MESH [options]
+
+Says whether a mesh is closed, manifold and free of self-intersections, how near it is to the points
+it was made from, and how near to the true surface.
+  MESH   .ply .obj .stl .vtk (and clouds, as meshes without faces)
+  CLOUD  .pcd .ply .obj .stl .xyz .txt (of a mesh, the vertices)
+)" + arguments.help() +
+         kDefinitions +
+         "\nExit status: 0 with a report, whatever it says; 2 for a wrong command line, else 1.\n";
 }
 
 }  // namespace filmsticking::app

@@ -9,7 +9,7 @@
 
 namespace filmsticking::app {
 
-/// What the user asked mesh_report for.
+/// The command line of mesh_report.
 struct CommandLine {
   std::string mesh;
   std::string truth;   ///< empty: none

@@ -8,17 +8,17 @@
 
 namespace filmsticking::app {
 
-/// Stands for a mesh that there is not.
+/// As the name of a mesh: none.
 constexpr char kNoMesh[] = "-";
 
-/// What the user asked mesh_snapshot for.
+/// The command line of mesh_snapshot.
 struct CommandLine {
   std::vector<std::string> meshes;    ///< kNoMesh: an empty panel
   std::string steps;                  ///< folder with an evolution, a panel before the meshes; empty: none
   std::string points;                 ///< cloud to draw over every mesh; empty: none
-  std::string reference;              ///< mesh that the faces are painted by their distance to; empty: none
+  std::string reference;              ///< mesh to paint the faces by their distance to; empty: none
   bool deviation = false;             ///< paint the points by their distance to the mesh
-  double range = 0;                   ///< the distance at the end of the colours; 0: chosen
+  double range = 0;                   ///< the distance at the end of the colours; 0: the program chooses
   int turns = 1;                      ///< pictures of a turn; 1: none
   double pictures_per_second = 12;    ///< of an animation
   std::string output;                 ///< .png or .gif

@@ -7,13 +7,13 @@
 
 namespace filmsticking::app {
 
-/// What the user asked mesh_view for.
+/// The command line of mesh_view.
 struct CommandLine {
   std::string mesh;       ///< empty: none
   std::string points;     ///< cloud; empty: none
   std::string steps;      ///< folder with an evolution, before the mesh; empty: none
-  std::string reference;  ///< mesh that distances are measured to; empty: none
-  double range = 0;       ///< the distance at the end of the colours; 0: chosen
+  std::string reference;  ///< mesh to measure distances to; empty: none
+  double range = 0;       ///< the distance at the end of the colours; 0: the program chooses
   WindowOptions window;
   bool help = false;
 };

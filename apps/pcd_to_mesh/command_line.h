@@ -9,22 +9,23 @@
 
 namespace filmsticking::app {
 
-/// For a file's name: standard input or output.
+/// As the name of a file: standard input or output.
 constexpr const char* kStandardStream = "-";
 
-/// A cloud and the mesh that it becomes.
+/// A cloud and the mesh to make of it.
 struct Task {
   std::string input;
   std::string output;
 };
 
-/// What the user asked pcd_to_mesh for.
+/// The command line of pcd_to_mesh.
 struct CommandLine {
   std::vector<Task> tasks;
-  bool batch = false;      ///< the outputs are named by the program, in `folder`
-  std::string folder;      ///< of a batch
-  std::string from;        ///< the inputs' format; empty: by their names, of standard input by its content
-  std::string to;          ///< the format of standard output
+  bool batch = false;  ///< the program names the outputs, in `folder`
+  std::string folder;  ///< of a batch
+  std::string
+      from;  ///< the format of the inputs; empty: by the name of a file, by the content of standard input
+  std::string to = "ply";  ///< the format of standard output and of a batch
   std::string report;      ///< JSON file; empty: none
   std::string dump_steps;  ///< folder for the film after each step; empty: none
   int jobs = 1;            ///< tasks at a time

@@ -1,69 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report_json.h"
 
-#include <vector>
-
-#include "io/json.h"
+#include <nlohmann/json.hpp>
 
 namespace filmsticking::app {
 namespace {
 
-using io::JsonObject;
+using Json = nlohmann::ordered_json;
 
-std::string list(const std::vector<JsonObject>& objects) {
-  std::string text;
-  for (const JsonObject& object : objects) text += (text.empty() ? "\n    " : ",\n    ") + object.one_line();
-  return text.empty() ? "[]" : "[" + text + "\n  ]";
+Json to_json(const StepRecord& step) {
+  return {{"round", step.round},
+          {"attracted", step.attracted},
+          {"virtual_left", step.virtual_left},
+          {"weighted", step.weighted},
+          {"regions_repaired", step.regions_repaired},
+          {"seconds", step.seconds}};
+}
+
+Json to_json(const RoomSeconds& room) { return {{"room", room.room}, {"seconds", room.seconds}}; }
+
+template <typename Record>
+Json to_list(const std::vector<Record>& records) {
+  Json list = Json::array();
+  for (const Record& record : records) list.push_back(to_json(record));
+  return list;
 }
 
 }  // namespace
 
 std::string report_json(const Result& result, const RunFacts& facts) {
   const Report& report = result.report;
-  std::vector<JsonObject> steps, rooms;
-  for (const StepRecord& step : report.steps)
-    steps.push_back(JsonObject()
-                        .add("round", step.round)
-                        .add("attracted", step.attracted)
-                        .add("virtual_left", step.virtual_left)
-                        .add("weighted", step.weighted)
-                        .add("regions_repaired", step.regions_repaired)
-                        .add("seconds", step.seconds));
-  for (const RoomSeconds& room : report.rooms)
-    rooms.push_back(JsonObject().add("room", room.room).add("seconds", room.seconds));
   const double share =
       report.sites > 0 ? static_cast<double>(report.interpolated) / static_cast<double>(report.sites) : 0;
-
-  return JsonObject()
-      .add("input", facts.input)
-      .add("output", facts.output)
-      .add("status", status_name(result.status))
-      .add("message", result.message)
-      .add("read", facts.read)
-      .add("points", report.points)
-      .add("sites", report.sites)
-      .add("non_finite", report.non_finite)
-      .add("duplicates", report.duplicates)
-      .add("interpolated", report.interpolated)
-      .add("interpolated_share", share)
-      .add("outliers", report.outliers)
-      .add("inserted", report.inserted)
-      .add("flips", report.flips)
-      .add("vertices", static_cast<std::int64_t>(result.vertices.size()))
-      .add("triangles", static_cast<std::int64_t>(result.triangles.size()))
-      .add("components", report.components)
-      .add("genus", report.genus)
-      .add("boundary_edges", report.boundary_edges)
-      .add("boundary_loops", report.boundary_loops)
-      .add("closed", report.closed)
-      .add("manifold", report.manifold)
-      .add("rounds", report.rounds)
-      .add_json("steps", list(steps))
-      .add_json("rooms", list(rooms))
-      .add("reconstruction_seconds", report.seconds)
-      .add("seconds", facts.seconds)
-      .add("peak_memory_bytes", facts.peak_memory_bytes)
-      .lines();
+  const Json json = {{"input", facts.input},
+                     {"output", facts.output},
+                     {"status", status_name(result.status)},
+                     {"message", result.message},
+                     {"read", facts.read},
+                     {"points", report.points},
+                     {"sites", report.sites},
+                     {"non_finite", report.non_finite},
+                     {"duplicates", report.duplicates},
+                     {"interpolated", report.interpolated},
+                     {"interpolated_share", share},
+                     {"outliers", report.outliers},
+                     {"inserted", report.inserted},
+                     {"flips", report.flips},
+                     {"vertices", result.vertices.size()},
+                     {"triangles", result.triangles.size()},
+                     {"components", report.components},
+                     {"genus", report.genus},
+                     {"boundary_edges", report.boundary_edges},
+                     {"boundary_loops", report.boundary_loops},
+                     {"closed", report.closed},
+                     {"manifold", report.manifold},
+                     {"rounds", report.rounds},
+                     {"steps", to_list(report.steps)},
+                     {"rooms", to_list(report.rooms)},
+                     {"reconstruction_seconds", report.seconds},
+                     {"seconds", facts.seconds},
+                     {"peak_memory_bytes", facts.peak_memory_bytes}};
+  // A file's name may hold bytes that are not UTF-8; JSON has no place for them.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 const char* status_name(Status status) {

@@ -8,7 +8,7 @@
 
 namespace filmsticking::app {
 
-/// What a report says beside the result.
+/// The parts of a report that the result does not hold.
 struct RunFacts {
   std::string input;
   std::string output;

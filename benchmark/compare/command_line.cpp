@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command_line.h"
 
-#include <boost/program_options.hpp>
 #include <charconv>
-#include <cmath>
+#include <limits>
 #include <sstream>
 
+#include "common/arguments.h"
 #include "input.h"
-
-namespace po = boost::program_options;
 
 namespace filmsticking::bench {
 namespace {
 
-constexpr int kMostThreads = 4096;
+using app::Arguments;
 
-po::value_semantic* text(std::string* to, const char* name) { return po::value(to)->value_name(name); }
+constexpr int kMostThreads = 4096;
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 /// The texts of the options that hold lists.
 struct Lists {
@@ -24,51 +23,60 @@ struct Lists {
                                missing = "0";
 };
 
-po::options_description options(CommandLine& command, Lists& lists) {
-  po::options_description clouds("Clouds (lists are separated by commas; all combinations are made)", 100);
-  clouds.add_options()(
-      "list", po::value(&lists.files)->value_name("FILE"),
-      "take the inputs from a file: one path a line, or a .tsv table with a column \"file\"")(
-      "where", po::value(&lists.where)->value_name("COLUMN=VALUE"),
-      "only such rows of a .tsv table; repeatable")(
-      "points", text(&lists.points, "N,.."), "how many, like 10K; speed: default 10K,50K,100K,200K,500K,1M")(
-      "sampling", text(&lists.sampling, "S,.."),
-      "monte-carlo (default), poisson-disk, mixed-density, vertices, depth-view, depth-frame")(
-      "seeds", text(&lists.seeds, "N,.."), "default 1")("noise", text(&lists.noise, "X,.."),
-                                                        "Gaussian, its deviation as a share of the diagonal, "
-                                                        "or with an s behind it, of the spacing; default 0")(
-      "outliers", text(&lists.outliers, "X,.."), "share of the points; default 0")(
-      "missing", text(&lists.missing, "X,.."), "share of the surface, in round patches; default 0");
+void add_clouds(Arguments& arguments, Lists& lists) {
+  arguments.group("Clouds (lists are separated by commas; all combinations are made)");
+  arguments.repeatable("--list", "FILE",
+                       "take the inputs from a file: one path a line, or a .tsv table with a column \"file\"",
+                       lists.files);
+  arguments.repeatable("--where", "COLUMN=VALUE", "only such rows of a .tsv table; repeatable", lists.where);
+  arguments.option("--points", "N,..", "how many, like 10K; speed: default 10K,50K,100K,200K,500K,1M",
+                   lists.points);
+  arguments.option("--sampling", "S,..",
+                   "monte-carlo (default), poisson-disk, mixed-density, vertices, depth-view, depth-frame",
+                   lists.sampling);
+  arguments.option("--seeds", "N,..", "default 1", lists.seeds);
+  arguments.option("--noise", "X,..",
+                   "Gaussian, its deviation as a share of the diagonal, or with an s behind it, of the "
+                   "spacing; default 0",
+                   lists.noise);
+  arguments.option("--outliers", "X,..", "share of the points; default 0", lists.outliers);
+  arguments.option("--missing", "X,..", "share of the surface, in round patches; default 0", lists.missing);
+}
 
-  po::options_description runs("Runs", 100);
-  runs.add_options()("methods", text(&lists.methods, "M,.."),
-                     "default: all that make a mesh; --help lists them")(
-      "threads", po::value(&command.threads)->value_name("N"),
-      "for every method that has threads; 0, the default: all")(
-      "jobs", po::value(&command.jobs)->value_name("N"),
-      "clouds at once; the timings are then unfit and say so")(
-      "runs", po::value(&command.runs)->value_name("N"), "speed: runs of each, interleaved; default 3")(
-      "time-limit", po::value(&command.limits.seconds)->value_name("SECONDS"),
-      "for one run; default 600, 0: none")("memory-limit",
-                                           po::value(&command.limits.memory_mb)->value_name("MB"),
-                                           "address space of one run; default 0: none");
+void add_runs(Arguments& arguments, CommandLine& command, Lists& lists) {
+  arguments.group("Runs");
+  arguments.option("--methods", "M,..", "default: all that make a mesh; --help lists them", lists.methods);
+  arguments.count("--threads", "N", "for every method that has threads; 0, the default: all", command.threads,
+                  0, kMostThreads);
+  arguments.count("--jobs", "N", "clouds at once; the timings are then unfit and say so", command.jobs, 1,
+                  kMostThreads);
+  arguments.count("--runs", "N", "speed: runs of each, interleaved; default 3", command.runs, 1);
+  arguments.number("--time-limit", "SECONDS", "for one run; default 600, 0: none", command.limits.seconds, 0,
+                   kNoLimit);
+  arguments.count("--memory-limit", "MB", "address space of one run; default 0: none",
+                  command.limits.memory_mb, 0);
+}
 
-  po::options_description results("Results", 100);
-  results.add_options()("csv", text(&command.csv, "FILE"),
-                        "one row a run; what is in it already is not done again")(
-      "fresh", po::bool_switch(&command.fresh), "do all again")("markdown", text(&command.markdown, "FILE"),
-                                                                "the tables; default: printed")(
-      "peer", text(&command.peer, "METHOD"), "what ratios are taken against; default cgal-advancing-front")(
-      "by-shape", po::bool_switch(&command.by_shape),
-      "quality: a table for every shape, not the mean over them")("keep", text(&command.keep, "DIR"),
-                                                                  "keep the clouds and the meshes there")(
-      "output,o", text(&command.output, "FILE"), "sheet: the picture; sample: the cloud")(
-      "view", text(&command.view, "AZ,EL"), "sheet: as for mesh_snapshot")(
-      "up", text(&command.up, "y|z"), "sheet: as for mesh_snapshot")("help", "print this text");
+void add_results(Arguments& arguments, CommandLine& command) {
+  arguments.group("Results");
+  arguments.option("--csv", "FILE", "one row a run; a run that is in it already is not done again",
+                   command.csv);
+  arguments.flag("--fresh", "do all again", command.fresh);
+  arguments.option("--markdown", "FILE", "the tables; default: printed", command.markdown);
+  arguments.option("--peer", "METHOD", "what ratios are taken against; default cgal-advancing-front",
+                   command.peer);
+  arguments.flag("--by-shape", "quality: a table for every shape, not the mean over them", command.by_shape);
+  arguments.option("--keep", "DIR", "keep the clouds and the meshes there", command.keep);
+  arguments.option("-o,--output", "FILE", "sheet: the picture; sample: the cloud", command.output);
+  arguments.option("--view", "AZ,EL", "sheet: as for mesh_snapshot", command.view);
+  arguments.option("--up", "y|z", "sheet: as for mesh_snapshot", command.up);
+}
 
-  po::options_description all;
-  all.add(clouds).add(runs).add(results);
-  return all;
+void add_options(Arguments& arguments, CommandLine& command, Lists& lists) {
+  arguments.only_flag("--help", "print this text", command.help);
+  add_clouds(arguments, lists);
+  add_runs(arguments, command, lists);
+  add_results(arguments, command);
 }
 
 std::vector<std::string> split(const std::string& list) {
@@ -128,7 +136,7 @@ CommandLine::Mode mode_of(const std::string& word) {
   if (word == "speed") return CommandLine::Mode::Speed;
   if (word == "sheet") return CommandLine::Mode::Sheet;
   if (word == "sample") return CommandLine::Mode::Sample;
-  throw UsageError("\"" + word + "\" is none of quality, speed, sheet, sample; --help tells more");
+  throw UsageError("\"" + word + "\" is none of quality, speed, sheet, sample; see --help");
 }
 
 void read_lists(CommandLine& command, const Lists& lists) {
@@ -162,15 +170,9 @@ void read_lists(CommandLine& command, const Lists& lists) {
 
 void check(const CommandLine& command) {
   using Mode = CommandLine::Mode;
-  if (command.inputs.empty()) throw UsageError("a mesh, a cloud or a shape is needed; --help tells more");
-  if (command.threads < 0 || command.threads > kMostThreads)
-    throw UsageError("--threads takes numbers from 0 on");
-  if (command.jobs < 1 || command.jobs > kMostThreads) throw UsageError("--jobs takes numbers from 1 on");
-  if (command.runs < 1) throw UsageError("--runs takes numbers from 1 on");
-  if (!(command.limits.seconds >= 0) || command.limits.memory_mb < 0)
-    throw UsageError("a limit is a number from 0 on");
+  if (command.inputs.empty()) throw UsageError("a mesh, a cloud or a shape is needed; see --help");
   const bool one_file = command.mode == Mode::Sheet || command.mode == Mode::Sample;
-  if (one_file && command.output.empty()) throw UsageError("-o FILE is needed; --help tells more");
+  if (one_file && command.output.empty()) throw UsageError("-o FILE is needed; see --help");
   if (one_file && command.points.size() * command.seeds.size() * command.samplings.size() *
                           command.noise.size() * command.outliers.size() * command.missing.size() >
                       1)
@@ -183,27 +185,12 @@ void check(const CommandLine& command) {
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
   CommandLine command;
-  command.peer = "cgal-advancing-front";
-  command.limits.seconds = 600;
   Lists lists;
-  po::options_description all = options(command, lists);
-  std::vector<std::string> words;
-  all.add_options()("input", po::value(&words));
-  po::positional_options_description positional;
-  positional.add("input", -1);
-  try {
-    using namespace po::command_line_style;
-    const int style = allow_long | long_allow_adjacent | long_allow_next | allow_short |
-                      allow_dash_for_short | short_allow_next;
-    po::variables_map given;
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
-              given);
-    po::notify(given);
-    if (given.count("help")) return command;
-  } catch (const po::error& error) {
-    throw UsageError(error.what());
-  }
-  if (words.empty()) throw UsageError("quality, speed, sheet or sample must come first; --help tells more");
+  Arguments arguments;
+  add_options(arguments, command, lists);
+  if (!arguments.parse(argc, argv)) return command;
+  const std::vector<std::string>& words = arguments.files();
+  if (words.empty()) throw UsageError("quality, speed, sheet or sample must come first; see --help");
   command.mode = mode_of(words[0]);
   command.inputs.assign(words.begin() + 1, words.end());
   read_lists(command, lists);
@@ -214,14 +201,15 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
 std::string usage() {
   CommandLine command;
   Lists lists;
-  std::ostringstream out;
-  out << "usage: compare quality INPUT.. [options]       every method on every cloud, judged by mesh_report\n"
-         "       compare speed INPUT [options]           ours beside Delaunay and advancing front, by size\n"
-         "       compare sheet INPUT.. -o OUT.png        pictures: a row a cloud, a column a method\n"
-         "       compare sample INPUT -o CLOUD.ply       the cloud alone\n\n"
-         "An INPUT is a mesh to sample, a cloud, or one of the shapes that the README lists.\n\n"
-      << options(command, lists);
-  return out.str();
+  Arguments arguments;
+  add_options(arguments, command, lists);
+  return R"(usage: compare quality INPUT.. [options]       every method on every cloud, judged by mesh_report
+       compare speed INPUT [options]           ours beside Delaunay and advancing front, by size
+       compare sheet INPUT.. -o OUT.png        pictures: a row a cloud, a column a method
+       compare sample INPUT -o CLOUD.ply       the cloud alone
+
+An INPUT is a mesh to sample, a cloud, or one of the shapes that the README lists.
+)" + arguments.help();
 }
 
 }  // namespace filmsticking::bench

@@ -2,20 +2,21 @@
 #pragma once
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "child_process.h"
 #include "clouds/cloud_spec.h"
+#include "common/usage_error.h"
 
 namespace filmsticking::bench {
 
-/// What the user asked compare for.
+/// The command line of compare.
 struct CommandLine {
-  enum class Mode { Help, Quality, Speed, Sheet, Sample };
-  Mode mode = Mode::Help;
+  enum class Mode { Quality, Speed, Sheet, Sample };
+  Mode mode = Mode::Quality;
+  bool help = false;
   std::vector<std::string> inputs;
   std::vector<std::string> methods;  ///< empty: those of the mode
   std::vector<Sampling> samplings;
@@ -27,21 +28,18 @@ struct CommandLine {
   int threads = 0;
   int jobs = 1;
   int runs = 3;
-  Limits limits;
+  Limits limits = {600, 0};
   std::string csv, markdown;  ///< empty: no such file; the Markdown then goes to the standard output
   bool fresh = false;
   bool by_shape = false;
-  std::string peer;
-  std::string keep;  ///< folder for the clouds and meshes; empty: they go
+  std::string peer = "cgal-advancing-front";
+  std::string keep;  ///< folder for the clouds and meshes; empty: they are removed
 
   std::string output;    ///< the picture, or the cloud
-  std::string view, up;  ///< handed on to mesh_snapshot
+  std::string view, up;  ///< for mesh_snapshot
 };
 
-/// A command line that makes no sense; what() is a sentence for the user.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using app::UsageError;
 
 /// Throws UsageError, and std::runtime_error for a list file that cannot be read.
 CommandLine parse_command_line(int argc, const char* const* argv);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // compare: FilmstickingPP and its peers on the same clouds.
 #include <cstdio>
-#include <new>
 
 #include "command_line.h"
+#include "common/program.h"
 #include "programs.h"
 #include "quality.h"
 #include "sample.h"
@@ -23,8 +23,6 @@ void help() {
 
 void run(const CommandLine& command) {
   switch (command.mode) {
-    case CommandLine::Mode::Help:
-      return help();
     case CommandLine::Mode::Quality:
       return compare_quality(command);
     case CommandLine::Mode::Speed:
@@ -39,16 +37,13 @@ void run(const CommandLine& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    run(parse_command_line(argc, argv));
+  return filmsticking::app::run_program("compare", [&] {
+    const CommandLine command = parse_command_line(argc, argv);
+    if (command.help) {
+      help();
+    } else {
+      run(command);
+    }
     return 0;
-  } catch (const UsageError& error) {
-    std::fprintf(stderr, "compare: %s.\n", error.what());
-    return 2;
-  } catch (const std::bad_alloc&) {
-    std::fputs("compare: the memory does not suffice.\n", stderr);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "compare: %s.\n", error.what());
-  }
-  return 1;
+  });
 }

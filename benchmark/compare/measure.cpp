@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure.h"
 
-#include <boost/property_tree/json_parser.hpp>
 #include <cstring>
-#include <locale>
-#include <sstream>
-
-namespace pt = boost::property_tree;
+#include <nlohmann/json.hpp>
 
 namespace filmsticking::bench {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr int kOutOfMemory = 3;          // exit code of run_method
-constexpr double kReportSeconds = 3600;  // nothing that mesh_report is given should take it that long
+constexpr double kReportSeconds = 3600;  // far above what mesh_report needs
 
 /// The last line that is not empty.
 std::string last_line(const std::string& text) {
@@ -23,15 +21,13 @@ std::string last_line(const std::string& text) {
   return text.substr(begin, end - begin + 1);
 }
 
-/// Of the last line. Throws pt::ptree_error.
-pt::ptree read_json(const std::string& text) {
-  std::istringstream stream(last_line(text));
-  pt::ptree tree;
-  pt::read_json(stream, tree);
-  return tree;
+/// A value as a cell of a table: a string without its quotes, nothing for null.
+std::string cell(const Json& value) {
+  if (value.is_null()) return "";
+  return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// The status of a run that brought no mesh.
+/// The status of a run without a mesh.
 void set_failure(Row& row, const ChildEnd& end, const Limits& limits) {
   const std::string said = last_line(end.err);
   if (end.timed_out) {
@@ -49,15 +45,15 @@ void set_failure(Row& row, const ChildEnd& end, const Limits& limits) {
   }
 }
 
-void set_timings(Row& row, const pt::ptree& json) {
+void set_timings(Row& row, const Json& json) {
   for (const char* column : {"seconds", "seconds_with_needs", "cpu_seconds", "memory_mb"})
-    row.set(column, json.get<std::string>(column));
-  const double taken = json.get<double>("memory_mb") - json.get<double>("memory_before_mb");
+    row.set(column, cell(json.at(column)));
+  const double taken = json.at("memory_mb").get<double>() - json.at("memory_before_mb").get<double>();
   row.set("bytes_per_point",
-          std::to_string(static_cast<long long>(1e6 * taken / json.get<double>("points"))));
+          std::to_string(static_cast<long long>(1e6 * taken / json.at("points").get<double>())));
   std::string rooms;
-  for (const auto& [room, seconds] : json.get_child("rooms"))
-    rooms += (rooms.empty() ? "" : ";") + room + "=" + seconds.get_value<std::string>();
+  for (const auto& [room, seconds] : json.at("rooms").items())
+    rooms += (rooms.empty() ? "" : ";") + room + "=" + cell(seconds);
   row.set("rooms", rooms);
 }
 
@@ -71,9 +67,7 @@ void set_judgement(Row& row, const CloudFiles& files, const std::string& mesh) {
     row.set("message", "mesh_report: " + last_line(end.err));
     return;
   }
-  pt::ptree json;
-  std::istringstream stream(end.out);
-  pt::read_json(stream, json);
+  const Json json = Json::parse(end.out);
   for (const char* column : {"vertices",
                              "faces",
                              "interpolated",
@@ -96,10 +90,8 @@ void set_judgement(Row& row, const CloudFiles& files, const std::string& mesh) {
                              "normal_consistency",
                              "turned_over",
                              "hausdorff",
-                             "sharp_edges_restored"}) {
-    const std::string value = json.get<std::string>(column, "");
-    row.set(column, value == "null" ? "" : value);
-  }
+                             "sharp_edges_restored"})
+    row.set(column, cell(json.value(column, Json())));
 }
 
 }  // namespace
@@ -125,9 +117,9 @@ Row measure(const CloudFiles& files, const std::string& method, const MethodEntr
   }
   row.set("status", "ok");
   try {
-    set_timings(row, read_json(end.out));
+    set_timings(row, Json::parse(last_line(end.out)));
     if (measurement.judge && entry.makes_mesh) set_judgement(row, files, mesh);
-  } catch (const pt::ptree_error& error) {
+  } catch (const Json::exception& error) {
     row.set("status", "not judged");
     row.set("message", error.what());
   }

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <boost/property_tree/json_parser.hpp>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
 
@@ -59,13 +59,10 @@ void write_mesh(const std::string& path, const Mesh& mesh) {
 void expect_closed(const std::string& path) { EXPECT_EQ(surface_fault(read_mesh(path)), ""); }
 
 /// mesh_report's comparison of two meshes, in the box of the truth whose longest side is 1.
-boost::property_tree::ptree compare(const std::string& mesh, const std::string& truth) {
+nlohmann::json compare(const std::string& mesh, const std::string& truth) {
   const Outcome outcome = run_program({MESH_REPORT, mesh, "--truth", truth, "--json"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  std::istringstream json(outcome.out);
-  boost::property_tree::ptree report;
-  boost::property_tree::read_json(json, report);
-  return report;
+  return nlohmann::json::parse(outcome.out);
 }
 
 /// A turntable capture of Spot, made once: a mesh as the truth, range images with and without their poses.
@@ -103,11 +100,11 @@ class Turntable : public ::testing::Test {
   static void expect_spot(const std::string& mesh) {
     expect_closed(mesh);
     const auto report = compare(mesh, file("truth.ply"));
-    EXPECT_EQ(report.get<int>("genus"), 0);
-    EXPECT_EQ(report.get<int>("components"), 1);
-    EXPECT_LT(report.get<double>("chamfer_e3"), 1000 * kPitch / 1.7 / 8);
-    EXPECT_LT(report.get<double>("hausdorff"), kPitch / 1.7);
-    EXPECT_GT(report.get<double>("normal_consistency"), 97);
+    EXPECT_EQ(report.at("genus").get<int>(), 0);
+    EXPECT_EQ(report.at("components").get<int>(), 1);
+    EXPECT_LT(report.at("chamfer_e3").get<double>(), 1000 * kPitch / 1.7 / 8);
+    EXPECT_LT(report.at("hausdorff").get<double>(), kPitch / 1.7);
+    EXPECT_GT(report.at("normal_consistency").get<double>(), 97);
   }
 
  private:
@@ -155,8 +152,8 @@ TEST_F(Turntable, ByRegistration) {
   write_mesh(file("found_moved.ply"), mesh);
   expect_closed(file("found_moved.ply"));
   const auto report = compare(file("found_moved.ply"), file("truth.ply"));
-  EXPECT_LT(report.get<double>("chamfer_e3"), 1000 * kPitch / 1.7 / 6);
-  EXPECT_LT(report.get<double>("hausdorff"), 1.5 * kPitch / 1.7);
+  EXPECT_LT(report.at("chamfer_e3").get<double>(), 1000 * kPitch / 1.7 / 6);
+  EXPECT_LT(report.at("hausdorff").get<double>(), 1.5 * kPitch / 1.7);
 }
 
 TEST_F(Turntable, FiltersAndStrides) {

@@ -5,12 +5,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <boost/property_tree/json_parser.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
@@ -515,18 +515,11 @@ TEST(MeshReport, JsonHasNoInfinity) {
 
 // ---- The program ----
 
-using Json = boost::property_tree::ptree;
-
-Json parse(const std::string& text) {
-  std::istringstream stream(text);
-  Json json;
-  boost::property_tree::read_json(stream, json);
-  return json;
-}
+using Json = nlohmann::json;
 
 std::set<std::string> names(const Json& json) {
   std::set<std::string> result;
-  for (const auto& [name, value] : json) result.insert(name);
+  for (const auto& [name, value] : json.items()) result.insert(name);
   return result;
 }
 
@@ -558,25 +551,25 @@ TEST(MeshReportProgram, WritesJson) {
     const Outcome outcome = mesh_report({mesh, "--json"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
-    const Json json = parse(outcome.out);
+    const Json json = Json::parse(outcome.out);
     EXPECT_EQ(names(json), kMeshMembers);
-    EXPECT_EQ(json.get<int>("vertices"), 8);
-    EXPECT_EQ(json.get<int>("genus"), 0);
-    EXPECT_EQ(json.get<std::string>("closed"), "true");
-    EXPECT_EQ(json.get<double>("volume"), 1);
+    EXPECT_EQ(json.at("vertices").get<int>(), 8);
+    EXPECT_EQ(json.at("genus").get<int>(), 0);
+    EXPECT_TRUE(json.at("closed").get<bool>());
+    EXPECT_EQ(json.at("volume").get<double>(), 1);
   }
-  const Json json = parse(mesh_report({folder / "box.ply", "--json", "--points", folder / "box.obj",
-                                       "--truth", folder / "box.stl", "--samples", "1000"})
-                              .out);
+  const Json json = Json::parse(mesh_report({folder / "box.ply", "--json", "--points", folder / "box.obj",
+                                             "--truth", folder / "box.stl", "--samples", "1000"})
+                                    .out);
   std::set<std::string> members = kMeshMembers;
   members.insert({"points", "interpolated", "cloud_distance_mean", "cloud_distance_max", "chamfer_e3",
                   "f_score", "normal_consistency", "turned_over", "hausdorff", "genus_right",
                   "components_right", "sharp_edges", "sharp_edges_restored", "topology_right"});
   EXPECT_EQ(names(json), members);
-  EXPECT_EQ(json.get<double>("interpolated"), 100);
-  EXPECT_EQ(json.get<double>("f_score"), 100);
-  EXPECT_LT(json.get<double>("hausdorff"), 1e-12);
-  EXPECT_EQ(json.get<std::string>("topology_right"), "true");
+  EXPECT_EQ(json.at("interpolated").get<double>(), 100);
+  EXPECT_EQ(json.at("f_score").get<double>(), 100);
+  EXPECT_LT(json.at("hausdorff").get<double>(), 1e-12);
+  EXPECT_TRUE(json.at("topology_right").get<bool>());
 }
 
 TEST(MeshReportProgram, WritesATable) {
@@ -609,13 +602,13 @@ TEST(MeshReportProgram, AMeshWithoutFacesHasAReport) {
     const Outcome outcome =
         mesh_report({mesh, "--json", "--truth", folder / "box.ply", "--points", folder / "box.ply"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
-    const Json json = parse(outcome.out);
-    EXPECT_EQ(json.get<int>("faces"), 0);
-    EXPECT_EQ(json.get<std::string>("closed"), "false");
-    EXPECT_EQ(json.get<std::string>("genus"), "null");
-    EXPECT_EQ(json.get<std::string>("chamfer_e3"), "null");
-    EXPECT_EQ(json.get<double>("interpolated"), 0);
-    EXPECT_EQ(json.get<std::string>("topology_right"), "false");
+    const Json json = Json::parse(outcome.out);
+    EXPECT_EQ(json.at("faces").get<int>(), 0);
+    EXPECT_FALSE(json.at("closed").get<bool>());
+    EXPECT_TRUE(json.at("genus").is_null());
+    EXPECT_TRUE(json.at("chamfer_e3").is_null());
+    EXPECT_EQ(json.at("interpolated").get<double>(), 0);
+    EXPECT_FALSE(json.at("topology_right").get<bool>());
     EXPECT_EQ(mesh_report({mesh}).status, 0);
   }
 }
@@ -672,7 +665,7 @@ TEST(MeshReportProgram, AgreesWithEvalmesh) {
         test::run_program({evalmesh, folder / "mesh.ply", folder / "truth.ply", folder / "truth.ply"});
     ASSERT_EQ(ours.status, 0) << ours.err;
     ASSERT_EQ(theirs.status, 0) << theirs.err;
-    const Json a = parse(ours.out), b = parse(theirs.out);
+    const Json a = Json::parse(ours.out), b = Json::parse(theirs.out);
     const std::pair<const char*, const char*> same[] = {{"vertices", "vertices"},
                                                         {"faces", "faces"},
                                                         {"boundary_edges", "boundary_edges"},
@@ -684,14 +677,13 @@ TEST(MeshReportProgram, AgreesWithEvalmesh) {
                                                         {"manifold", "manifold"},
                                                         {"oriented", "oriented"},
                                                         {"points", "points"}};
-    for (const auto& [our, their] : same)
-      EXPECT_EQ(a.get<std::string>(our), b.get<std::string>(their)) << our;
-    EXPECT_NEAR(a.get<double>("interpolated"), 100 * b.get<double>("interpolated"), 1e-3);
-    EXPECT_NEAR(a.get<double>("chamfer_e3"), b.get<double>("cd_l1"), 1e-5);
-    EXPECT_NEAR(a.get<double>("f_score"), b.get<double>("f1"), 1e-3);
-    EXPECT_NEAR(a.get<double>("hausdorff"), b.get<double>("hausdorff"), 1e-5);
+    for (const auto& [our, their] : same) EXPECT_EQ(a.at(our).dump(), b.at(their).dump()) << our;
+    EXPECT_NEAR(a.at("interpolated").get<double>(), 100 * b.at("interpolated").get<double>(), 1e-3);
+    EXPECT_NEAR(a.at("chamfer_e3").get<double>(), b.at("cd_l1").get<double>(), 1e-5);
+    EXPECT_NEAR(a.at("f_score").get<double>(), b.at("f1").get<double>(), 1e-3);
+    EXPECT_NEAR(a.at("hausdorff").get<double>(), b.at("hausdorff").get<double>(), 1e-5);
     // Where a point has two nearest faces, each takes the normal of one of them.
-    EXPECT_NEAR(a.get<double>("normal_consistency"), b.get<double>("nc"), 1);
+    EXPECT_NEAR(a.at("normal_consistency").get<double>(), b.at("nc").get<double>(), 1);
   }
 }
 

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cinttypes>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
-#include "io/json.h"
 #include "report.h"
 
 namespace filmsticking::mesh_report {
 namespace {
 
-/// Names in one column, what there is to say in the next.
+/// Names in one column, values in the next.
 class Table {
  public:
   void add(const char* name, const std::string& value) {
@@ -42,6 +41,10 @@ std::string number(const char* format, double value) {
   return text;
 }
 
+std::string number_or_dash(const char* format, const std::optional<double>& value) {
+  return value ? number(format, *value) : "-";
+}
+
 std::string closed(const Topology& topology) {
   if (topology.closed || topology.edges == 0) return yes(topology.closed);
   return "no, " + count(topology.boundary_edges, "boundary edge", "boundary edges");
@@ -56,6 +59,60 @@ std::string manifold(const Topology& topology) {
 std::string intersections(std::int64_t pairs) {
   if (pairs == 0) return "none";
   return count(pairs, "pair of faces", "pairs of faces");
+}
+
+void add_cloud(Table& table, const CloudFit& cloud) {
+  table.add("points", std::to_string(cloud.points));
+  table.add("points that are vertices", number("%.2f %%", cloud.interpolated));
+  table.add("from points to mesh, mean", number_or_dash("%.6g", cloud.distance_mean));
+  table.add("from points to mesh, largest", number_or_dash("%.6g", cloud.distance_max));
+}
+
+void add_truth(Table& table, const TruthFit& truth) {
+  const auto distance = [&](const char* format, double TruthDistances::*value) {
+    return truth.distances ? number(format, (*truth.distances).*value) : "-";
+  };
+  table.add("Chamfer distance x 1000", distance("%.4f", &TruthDistances::chamfer_e3));
+  table.add("F-score at 0.005", distance("%.2f %%", &TruthDistances::f_score));
+  table.add("normal consistency", distance("%.2f %%", &TruthDistances::normal_consistency));
+  table.add("turned over", distance("%.2f %%", &TruthDistances::turned_over));
+  table.add("Hausdorff distance", distance("%.6f", &TruthDistances::hausdorff));
+  if (truth.sharp.restored)
+    table.add("sharp edges restored",
+              number("%.2f %%", *truth.sharp.restored) + " of " + std::to_string(truth.sharp.edges));
+  table.add("genus right", yes(truth.genus_right));
+  table.add("components right", yes(truth.components_right));
+  table.add("topology right", yes(truth.topology_right()));
+}
+
+using Json = nlohmann::ordered_json;
+
+template <typename Value>
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json cloud_members(const CloudFit& cloud) {
+  return {{"points", cloud.points},
+          {"interpolated", cloud.interpolated},
+          {"cloud_distance_mean", or_null(cloud.distance_mean)},
+          {"cloud_distance_max", or_null(cloud.distance_max)}};
+}
+
+Json truth_members(const TruthFit& truth) {
+  const auto distance = [&](double TruthDistances::*value) {
+    return truth.distances ? Json((*truth.distances).*value) : Json();
+  };
+  return {{"chamfer_e3", distance(&TruthDistances::chamfer_e3)},
+          {"f_score", distance(&TruthDistances::f_score)},
+          {"normal_consistency", distance(&TruthDistances::normal_consistency)},
+          {"turned_over", distance(&TruthDistances::turned_over)},
+          {"hausdorff", distance(&TruthDistances::hausdorff)},
+          {"sharp_edges", truth.sharp.edges},
+          {"sharp_edges_restored", or_null(truth.sharp.restored)},
+          {"genus_right", truth.genus_right},
+          {"components_right", truth.components_right},
+          {"topology_right", truth.topology_right()}};
 }
 
 }  // namespace
@@ -73,73 +130,31 @@ std::string to_text(const Report& report) {
   table.add("genus", topology.genus ? std::to_string(*topology.genus) : "-");
   table.add("self-intersections", intersections(report.self_intersections));
   table.add("area", number("%.6g", report.area));
-  table.add("volume", report.volume ? number("%.6g", *report.volume) : "-");
-  if (report.cloud) {
-    const CloudFit& cloud = *report.cloud;
-    table.add("points", std::to_string(cloud.points));
-    table.add("points that are vertices", number("%.2f %%", cloud.interpolated));
-    table.add("from points to mesh, mean", cloud.distance_mean ? number("%.6g", *cloud.distance_mean) : "-");
-    table.add("from points to mesh, largest", cloud.distance_max ? number("%.6g", *cloud.distance_max) : "-");
-  }
-  if (report.truth) {
-    const TruthFit& truth = *report.truth;
-    const auto distance = [&](const char* format, double TruthDistances::*value) {
-      return truth.distances ? number(format, (*truth.distances).*value) : "-";
-    };
-    table.add("Chamfer distance x 1000", distance("%.4f", &TruthDistances::chamfer_e3));
-    table.add("F-score at 0.005", distance("%.2f %%", &TruthDistances::f_score));
-    table.add("normal consistency", distance("%.2f %%", &TruthDistances::normal_consistency));
-    table.add("turned over", distance("%.2f %%", &TruthDistances::turned_over));
-    table.add("Hausdorff distance", distance("%.6f", &TruthDistances::hausdorff));
-    if (truth.sharp.restored)
-      table.add("sharp edges restored",
-                number("%.2f %%", *truth.sharp.restored) + " of " + std::to_string(truth.sharp.edges));
-    table.add("genus right", yes(truth.genus_right));
-    table.add("components right", yes(truth.components_right));
-    table.add("topology right", yes(truth.topology_right()));
-  }
+  table.add("volume", number_or_dash("%.6g", report.volume));
+  if (report.cloud) add_cloud(table, *report.cloud);
+  if (report.truth) add_truth(table, *report.truth);
   return table.text();
 }
 
 std::string to_json(const Report& report) {
   const Topology& topology = report.topology;
-  io::JsonObject json;
-  json.add("vertices", report.vertices)
-      .add("faces", report.faces)
-      .add("boundary_edges", topology.boundary_edges)
-      .add("non_manifold_edges", topology.non_manifold_edges)
-      .add("non_manifold_vertices", topology.non_manifold_vertices)
-      .add("self_intersections", report.self_intersections)
-      .add("components", topology.components)
-      .add("genus", topology.genus)
-      .add("closed", topology.closed)
-      .add("manifold", topology.manifold)
-      .add("oriented", topology.oriented)
-      .add("outward", report.outward)
-      .add("area", report.area)
-      .add("volume", report.volume);
-  if (report.cloud)
-    json.add("points", report.cloud->points)
-        .add("interpolated", report.cloud->interpolated)
-        .add("cloud_distance_mean", report.cloud->distance_mean)
-        .add("cloud_distance_max", report.cloud->distance_max);
-  if (report.truth) {
-    const auto distance = [&](double TruthDistances::*value) {
-      const auto& distances = report.truth->distances;
-      return distances ? std::optional<double>((*distances).*value) : std::nullopt;
-    };
-    json.add("chamfer_e3", distance(&TruthDistances::chamfer_e3))
-        .add("f_score", distance(&TruthDistances::f_score))
-        .add("normal_consistency", distance(&TruthDistances::normal_consistency))
-        .add("turned_over", distance(&TruthDistances::turned_over))
-        .add("hausdorff", distance(&TruthDistances::hausdorff))
-        .add("sharp_edges", report.truth->sharp.edges)
-        .add("sharp_edges_restored", report.truth->sharp.restored)
-        .add("genus_right", report.truth->genus_right)
-        .add("components_right", report.truth->components_right)
-        .add("topology_right", report.truth->topology_right());
-  }
-  return json.lines();
+  Json json = {{"vertices", report.vertices},
+               {"faces", report.faces},
+               {"boundary_edges", topology.boundary_edges},
+               {"non_manifold_edges", topology.non_manifold_edges},
+               {"non_manifold_vertices", topology.non_manifold_vertices},
+               {"self_intersections", report.self_intersections},
+               {"components", topology.components},
+               {"genus", or_null(topology.genus)},
+               {"closed", topology.closed},
+               {"manifold", topology.manifold},
+               {"oriented", topology.oriented},
+               {"outward", report.outward},
+               {"area", report.area},
+               {"volume", or_null(report.volume)}};
+  if (report.cloud) json.update(cloud_members(*report.cloud));
+  if (report.truth) json.update(truth_members(*report.truth));
+  return json.dump(2) + "\n";
 }
 
 }  // namespace filmsticking::mesh_report
