@@ -22,13 +22,13 @@
 #include "labelling/surface_sheets.h"
 #include "points/site_set.h"
 #include "surface/feature_flips.h"
+#include "surface/surface_quality.h"
 
 namespace filmsticking {
 namespace {
 
 using Colour = std::array<std::uint8_t, 3>;
 constexpr Colour kPlain{224, 219, 209}, kBlue{44, 127, 184}, kRed{222, 45, 38}, kOrange{253, 174, 97};
-// Two votes and three; one vote is orange.
 constexpr Colour kVotes[] = {kPlain, kOrange, {127, 188, 120}, kBlue};
 
 /// Faces with a colour each, in the coordinates of the input.
@@ -36,31 +36,35 @@ class Picture {
  public:
   explicit Picture(const SiteSet& sites) : sites_(sites) {}
 
-  void add(const Corners& face, const Colour& colour) {
-    faces_.push_back(face);
+  void add(std::vector<Vec3> polygon, const Colour& colour) {
+    polygons_.push_back(std::move(polygon));
     colours_.push_back(colour);
   }
+  void add(const Corners& face, const Colour& colour) {
+    add({sites_.perturbed[face[0]], sites_.perturbed[face[1]], sites_.perturbed[face[2]]}, colour);
+  }
 
-  /// Faces share no vertices, so that each has one colour; each is written with its back, so that
+  /// Triangles share no vertices, so that each has one colour; each is written with its back, so that
   /// mesh_snapshot draws no rims around it.
   void write(const std::string& path) const {
     io::Model model;
-    for (std::size_t f = 0; f < faces_.size(); ++f) {
-      const auto first = static_cast<std::int32_t>(model.positions.size());
-      for (const Index v : faces_[f]) {
-        model.positions.push_back(sites_.to_input(sites_.perturbed[v]));
-        model.colours.push_back(colours_[f]);
+    for (std::size_t f = 0; f < polygons_.size(); ++f)
+      for (std::size_t v = 2; v < polygons_[f].size(); ++v) {
+        const auto first = static_cast<std::int32_t>(model.positions.size());
+        for (const std::size_t corner : {std::size_t{0}, v - 1, v}) {
+          model.positions.push_back(sites_.to_input(polygons_[f][corner]));
+          model.colours.push_back(colours_[f]);
+        }
+        model.triangles.push_back({first, first + 1, first + 2});
+        model.triangles.push_back({first, first + 2, first + 1});
       }
-      model.triangles.push_back({first, first + 1, first + 2});
-      model.triangles.push_back({first, first + 2, first + 1});
-    }
     io::write_model(path, model);
-    std::printf("%s: %zu faces\n", path.c_str(), faces_.size());
+    std::printf("%s: %zu faces\n", path.c_str(), model.triangles.size() / 2);
   }
 
  private:
   const SiteSet& sites_;
-  std::vector<Corners> faces_;
+  std::vector<std::vector<Vec3>> polygons_;
   std::vector<Colour> colours_;
 };
 
@@ -79,9 +83,25 @@ class Stages {
       const auto& area = evidence_.area[t];
       hold_[t] = 0.1 * (double{area[0]} + area[1] + area[2] + area[3]) * field_[t];
     }
-    cut_ = Sculptor(mesh_, evidence_, hold_).cut();
+    cut_again();
   }
 
+  /// A small tetrahedron at every site.
+  void write_points(const std::string& path) const {
+    constexpr int kSigns[4][3] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+    Picture picture(set_);
+    for (std::size_t v = 0; v < sites_.size(); ++v)
+      for (const auto& face : kFacet) {
+        std::vector<Vec3> corners;
+        for (const int k : face)
+          corners.push_back(sites_[v] +
+                            0.15 * geometry_.spacing[v] * Vec3(kSigns[k][0], kSigns[k][1], kSigns[k][2]));
+        picture.add(std::move(corners), kBlue);
+      }
+    picture.write(path);
+  }
+
+  /// Facets with votes: one orange, two green, three blue.
   void write_votes(const std::string& path) const {
     Picture picture(set_);
     each_facet([&](std::size_t t, int k, std::size_t) {
@@ -91,24 +111,33 @@ class Stages {
     picture.write(path);
   }
 
-  /// The tetrahedra behind the middle of the cloud, coloured by a value each from -1 to 1.
-  void write_half(const std::string& path, const std::vector<double>& value) const {
+  /// The cells of the middle height's plane, coloured by a value each from -1 to 1, above what of the surface
+  /// is below it.
+  void write_slice(const std::string& path, const std::vector<double>& value, const Surface& surface) const {
     Picture picture(set_);
-    std::vector<char> behind(mesh_.size());
-    for (std::size_t t = 0; t < mesh_.size(); ++t) behind[t] = is_behind(t);
-    each_facet([&](std::size_t t, int k, std::size_t other) {
-      if (behind[t] == behind[other]) return;
-      picture.add(facet(t, k), colour_of(value[behind[t] ? t : other]));
-    });
+    for (std::size_t t = 0; t < mesh_.size(); ++t)
+      if (!mesh_.tets.infinite(static_cast<Index>(t))) picture.add(section(t), colour_of(value[t]));
+    for (const Corners& face : surface.triangles) {
+      const std::array<Vec3, 3> corners = places(in_sites(surface, face));
+      if (std::all_of(corners.begin(), corners.end(), [&](const Vec3& p) { return height(p) < 0; }))
+        picture.add({corners.begin(), corners.end()}, kPlain);
+    }
     picture.write(path);
   }
 
-  void write_guess(const std::string& path) const { write_half(path, guess_); }
-  void write_field(const std::string& path) const { write_half(path, field_); }
+  void write_guess(const std::string& path, const Surface& surface) const {
+    write_slice(path, guess_, surface);
+  }
+  void write_field(const std::string& path, const Surface& surface) const {
+    write_slice(path, field_, surface);
+  }
 
   /// Faces at sites where the surface is no disc are red.
   void write_cut(const std::string& path) const {
     const std::vector<Sheets> sheets = surface_sheets(mesh_, cut_, sites_.size());
+    std::printf("%s: %td sites off the surface, %td where it is no disc\n", path.c_str(),
+                std::count(sheets.begin(), sheets.end(), Sheets::None),
+                std::count(sheets.begin(), sheets.end(), Sheets::Other));
     Picture picture(set_);
     for (const Corners& face : tetrahedral_boundary(mesh_, cut_))
       picture.add(face,
@@ -118,30 +147,66 @@ class Stages {
     picture.write(path);
   }
 
-  /// Faces that the cut did not have are blue. Returns the surface.
-  Surface write_mended(const std::string& path) {
+  /// The cut made a manifold and warped to its sites, then mended. In both files the faces that were not
+  /// there before are blue. Returns the surface.
+  Surface write_mended(const std::string& repaired, const std::string& mended) {
     LabelCosts costs{evidence_.cost, hold_, {}};
     for (const double spacing : geometry_.spacing) costs.off.push_back(5 * spacing * spacing);
     std::vector<char> labels = cut_;
     ManifoldLabels manifold(mesh_, geometry_, costs, labels);
     manifold.repair();
+    manifold.warp(aim_);
     manifold.unfold();
     manifold.reach();
-    Surface surface = unsorted_surface_of_sites(tetrahedral_boundary(mesh_, labels), sites_);
-    write_changes(path, corners_of(tetrahedral_boundary(mesh_, cut_)), surface);
-    return surface;
+    const Surface first = surface_of(labels);
+    write_changes(repaired, corners_of(tetrahedral_boundary(mesh_, cut_)), first);
+    manifold.fill_gaps(sites_);
+    manifold.open_cavities(sites_);
+    manifold.unfold();
+    manifold.reach();
+    const Surface second = surface_of(labels);
+    write_changes(mended, faces_of(first), second);
+    return second;
   }
 
-  /// Faces that were not there before the flips are blue.
   void write_sharp(const std::string& path, Surface surface) const {
-    const std::map<Corners, int> before = faces_of(surface);
     std::vector<Index> twins =
         half_edge_twins(surface.triangles, static_cast<Index>(surface.positions.size()));
     flip_to_features(surface, twins);
-    write_changes(path, before, surface);
+    write_changes(path, faces_of(surface), surface);
   }
 
  private:
+  std::vector<char> sites_off(const std::vector<char>& labels) const {
+    std::vector<char> sides(sites_.size(), 0), off(sites_.size());
+    for (std::size_t t = 0; t < mesh_.size(); ++t)
+      for (const Index v : mesh_.tets.corners[t])
+        if (v != kNone) sides[v] = static_cast<char>(sides[v] | (labels[t] ? 1 : 2));
+    for (std::size_t v = 0; v < off.size(); ++v) off[v] = sides[v] != 3;
+    return off;
+  }
+
+  // The first cut, and the last of those that hold four times as firmly to the field around sites off it.
+  void cut_again() {
+    Sculptor sculptor(mesh_, evidence_, hold_);
+    std::vector<double> hold = hold_;
+    cut_ = aim_ = sculptor.cut();
+    for (int cut = 1; cut < 6; ++cut) {
+      const std::vector<char> off = sites_off(aim_);
+      for (std::size_t t = 0; t < mesh_.size(); ++t) {
+        const auto& c = mesh_.tets.corners[t];
+        if (std::none_of(c.begin(), c.end(), [&](Index v) { return v != kNone && off[v]; })) continue;
+        sculptor.hold_firmly(static_cast<Index>(t), hold[t], 4 * hold[t]);
+        hold[t] *= 4;
+      }
+      aim_ = sculptor.cut();
+    }
+  }
+
+  Surface surface_of(const std::vector<char>& labels) const {
+    return unsorted_surface_of_sites(tetrahedral_boundary(mesh_, labels), sites_);
+  }
+
   static Corners sorted(Corners face) {
     std::sort(face.begin(), face.end());
     return face;
@@ -168,6 +233,8 @@ class Stages {
       picture.add(corners, before.count(sorted(corners)) ? kPlain : kBlue);
     }
     picture.write(path);
+    const SurfaceQuality quality = surface_quality(surface, geometry_);
+    std::printf("%s: %zu sites, %td handles\n", path.c_str(), surface.site.size(), quality.handles);
   }
 
   /// White where the value is 0, blue at 1 (inside), orange at -1.
@@ -179,11 +246,24 @@ class Stages {
     return colour;
   }
 
-  bool is_behind(std::size_t t) const {
-    if (mesh_.tets.infinite(static_cast<Index>(t))) return false;
-    double z = 0;
-    for (const Index v : mesh_.tets.corners[t]) z += set_.to_input(sites_[v])[2] / 4;
-    return z < set_.centre.z();
+  std::array<Vec3, 3> places(const Corners& face) const {
+    return {sites_[face[0]], sites_[face[1]], sites_[face[2]]};
+  }
+
+  /// Above the middle of the cloud's box, along the input's y.
+  double height(const Vec3& p) const { return set_.turn.back(p).y(); }
+
+  /// Where the plane of height 0 cuts a tetrahedron: three corners, four, or none.
+  std::vector<Vec3> section(std::size_t t) const {
+    std::vector<Vec3> above, below, corners;
+    for (const Index v : mesh_.tets.corners[t]) (height(sites_[v]) > 0 ? above : below).push_back(sites_[v]);
+    for (std::size_t a = 0; a < above.size(); ++a)
+      for (std::size_t i = 0; i < below.size(); ++i) {
+        const std::size_t b = a % 2 == 0 ? i : below.size() - 1 - i;  // around a quadrangle
+        const double share = height(above[a]) / (height(above[a]) - height(below[b]));
+        corners.push_back(above[a] + share * (below[b] - above[a]));
+      }
+    return corners;
   }
 
   Corners facet(std::size_t t, int k) const {
@@ -209,16 +289,17 @@ class Stages {
   TetrahedralMesh mesh_;
   FacetEvidence evidence_;
   std::vector<double> guess_, field_, hold_;
-  std::vector<char> cut_;
+  std::vector<char> cut_, aim_;
 };
 
 void draw(const std::string& cloud, const std::string& folder) {
   Stages stages(io::read_cloud(cloud).positions);
   stages.write_votes(folder + "/votes.ply");
-  stages.write_guess(folder + "/guess.ply");
-  stages.write_field(folder + "/field.ply");
   stages.write_cut(folder + "/cut.ply");
-  Surface surface = stages.write_mended(folder + "/mended.ply");
+  stages.write_points(folder + "/points.ply");
+  Surface surface = stages.write_mended(folder + "/repaired.ply", folder + "/mended.ply");
+  stages.write_guess(folder + "/guess.ply", surface);
+  stages.write_field(folder + "/field.ply", surface);
   stages.write_sharp(folder + "/sharp.ply", std::move(surface));
 }
 
