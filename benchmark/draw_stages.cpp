@@ -135,7 +135,7 @@ class Stages {
   /// Faces at sites where the surface is no disc are red.
   void write_cut(const std::string& path) const {
     const std::vector<Sheets> sheets = surface_sheets(mesh_, cut_, sites_.size());
-    std::printf("%s: %td sites off the surface, %td where it is no disc\n", path.c_str(),
+    std::printf("%s: %td sites missed, %td where the surface is no disc\n", path.c_str(),
                 std::count(sheets.begin(), sheets.end(), Sheets::None),
                 std::count(sheets.begin(), sheets.end(), Sheets::Other));
     Picture picture(set_);
@@ -177,25 +177,25 @@ class Stages {
   }
 
  private:
-  std::vector<char> sites_off(const std::vector<char>& labels) const {
-    std::vector<char> sides(sites_.size(), 0), off(sites_.size());
+  std::vector<char> sites_missed(const std::vector<char>& labels) const {
+    std::vector<char> sides(sites_.size(), 0), missed(sites_.size());
     for (std::size_t t = 0; t < mesh_.size(); ++t)
       for (const Index v : mesh_.tets.corners[t])
         if (v != kNone) sides[v] = static_cast<char>(sides[v] | (labels[t] ? 1 : 2));
-    for (std::size_t v = 0; v < off.size(); ++v) off[v] = sides[v] != 3;
-    return off;
+    for (std::size_t v = 0; v < missed.size(); ++v) missed[v] = sides[v] != 3;
+    return missed;
   }
 
-  // The first cut, and the last of those that hold four times as firmly to the field around sites off it.
+  // The first cut, and the last of those that hold four times as firmly to the field around missed sites.
   void cut_again() {
     Sculptor sculptor(mesh_, evidence_, hold_);
     std::vector<double> hold = hold_;
     cut_ = aim_ = sculptor.cut();
     for (int cut = 1; cut < 6; ++cut) {
-      const std::vector<char> off = sites_off(aim_);
+      const std::vector<char> missed = sites_missed(aim_);
       for (std::size_t t = 0; t < mesh_.size(); ++t) {
         const auto& c = mesh_.tets.corners[t];
-        if (std::none_of(c.begin(), c.end(), [&](Index v) { return v != kNone && off[v]; })) continue;
+        if (std::none_of(c.begin(), c.end(), [&](Index v) { return v != kNone && missed[v]; })) continue;
         sculptor.hold_firmly(static_cast<Index>(t), hold[t], 4 * hold[t]);
         hold[t] *= 4;
       }
