@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes what each stage of the core makes of a cloud, as coloured PLY files that mesh_snapshot draws. The
-// figures of docs/method.md come from here; the commands are in docs/figures.md.
+// figures of docs/method.md come from here; docs/pictures/stages/draw.sh has the commands.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <exception>
-#include <functional>
-#include <map>
-#include <stdexcept>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "delaunay/delaunay.h"
@@ -16,6 +16,7 @@
 #include "evidence/facet_evidence.h"
 #include "evidence/signed_field.h"
 #include "geometry/triangle_adjacency.h"
+#include "io/cloud.h"
 #include "io/model_file.h"
 #include "labelling/manifold_labels.h"
 #include "labelling/sculpt.h"
@@ -27,45 +28,45 @@
 namespace filmsticking {
 namespace {
 
-using Colour = std::array<std::uint8_t, 3>;
-constexpr Colour kPlain{224, 219, 209}, kBlue{44, 127, 184}, kRed{222, 45, 38}, kOrange{253, 174, 97};
-constexpr Colour kVotes[] = {kPlain, kOrange, {127, 188, 120}, kBlue};
+constexpr io::Colour kPlain{224, 219, 209}, kBlue{44, 127, 184}, kRed{222, 45, 38}, kOrange{253, 174, 97};
+constexpr io::Colour kVotes[] = {kPlain, kOrange, {127, 188, 120}, kBlue};
 
 /// Faces with a colour each, in the coordinates of the input.
 class Picture {
  public:
   explicit Picture(const SiteSet& sites) : sites_(sites) {}
 
-  void add(std::vector<Vec3> polygon, const Colour& colour) {
+  void add(std::vector<Vec3> polygon, const io::Colour& colour) {
     polygons_.push_back(std::move(polygon));
     colours_.push_back(colour);
   }
-  void add(const Corners& face, const Colour& colour) {
+  void add(const Corners& face, const io::Colour& colour) {
     add({sites_.perturbed[face[0]], sites_.perturbed[face[1]], sites_.perturbed[face[2]]}, colour);
   }
 
   /// Triangles share no vertices, so that each has one colour; each is written with its back, so that
   /// mesh_snapshot draws no rims around it.
   void write(const std::string& path) const {
-    io::Model model;
+    std::vector<Point> positions;
+    std::vector<io::Colour> colours;
+    std::vector<Triangle> triangles;
     for (std::size_t f = 0; f < polygons_.size(); ++f)
       for (std::size_t v = 2; v < polygons_[f].size(); ++v) {
-        const auto first = static_cast<std::int32_t>(model.positions.size());
+        const auto first = static_cast<std::int32_t>(positions.size());
         for (const std::size_t corner : {std::size_t{0}, v - 1, v}) {
-          model.positions.push_back(sites_.to_input(polygons_[f][corner]));
-          model.colours.push_back(colours_[f]);
+          positions.push_back(sites_.to_input(polygons_[f][corner]));
+          colours.push_back(colours_[f]);
         }
-        model.triangles.push_back({first, first + 1, first + 2});
-        model.triangles.push_back({first, first + 2, first + 1});
+        triangles.push_back({first, first + 1, first + 2});
+        triangles.push_back({first, first + 2, first + 1});
       }
-    io::write_model(path, model);
-    std::printf("%s: %zu faces\n", path.c_str(), model.triangles.size() / 2);
+    io::write_model(path, {positions, colours, triangles});
   }
 
  private:
   const SiteSet& sites_;
   std::vector<std::vector<Vec3>> polygons_;
-  std::vector<Colour> colours_;
+  std::vector<io::Colour> colours_;
 };
 
 /// The stages of the default method as far as a plain closed surface needs them, in the order of Pipeline.
@@ -86,6 +87,9 @@ class Stages {
     cut_again();
   }
 
+  const std::vector<double>& guess() const { return guess_; }
+  const std::vector<double>& field() const { return field_; }
+
   /// A small tetrahedron at every site.
   void write_points(const std::string& path) const {
     constexpr int kSigns[4][3] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
@@ -104,32 +108,28 @@ class Stages {
   /// Facets with votes: one orange, two green, three blue.
   void write_votes(const std::string& path) const {
     Picture picture(set_);
-    each_facet([&](std::size_t t, int k, std::size_t) {
-      const int votes = evidence_.votes[t][k];
-      if (votes > 0) picture.add(facet(t, k), kVotes[votes]);
-    });
+    for (std::size_t t = 0; t < mesh_.size(); ++t)
+      for (int k = 0; k < 4; ++k) {
+        const auto& c = mesh_.tets.corners[t];
+        const int votes = evidence_.votes[t][k];
+        if (votes > 0 && mesh_.mirror[t][k] > 4 * static_cast<Index>(t) + k)  // once, of its two sides
+          picture.add({c[kFacet[k][0]], c[kFacet[k][1]], c[kFacet[k][2]]}, kVotes[votes]);
+      }
     picture.write(path);
   }
 
-  /// The cells of the middle height's plane, coloured by a value each from -1 to 1, above what of the surface
-  /// is below it.
+  /// A section of the tetrahedra at half the height, coloured by a value each from -1 to 1, and the surface
+  /// below it.
   void write_slice(const std::string& path, const std::vector<double>& value, const Surface& surface) const {
     Picture picture(set_);
     for (std::size_t t = 0; t < mesh_.size(); ++t)
       if (!mesh_.tets.infinite(static_cast<Index>(t))) picture.add(section(t), colour_of(value[t]));
     for (const Corners& face : surface.triangles) {
-      const std::array<Vec3, 3> corners = places(in_sites(surface, face));
-      if (std::all_of(corners.begin(), corners.end(), [&](const Vec3& p) { return height(p) < 0; }))
-        picture.add({corners.begin(), corners.end()}, kPlain);
+      const Corners corners = in_sites(surface, face);
+      if (std::all_of(corners.begin(), corners.end(), [&](Index v) { return height(sites_[v]) < 0; }))
+        picture.add(corners, kPlain);
     }
     picture.write(path);
-  }
-
-  void write_guess(const std::string& path, const Surface& surface) const {
-    write_slice(path, guess_, surface);
-  }
-  void write_field(const std::string& path, const Surface& surface) const {
-    write_slice(path, field_, surface);
   }
 
   /// Faces at sites where the surface is no disc are red.
@@ -159,7 +159,7 @@ class Stages {
     manifold.unfold();
     manifold.reach();
     const Surface first = surface_of(labels);
-    write_changes(repaired, corners_of(tetrahedral_boundary(mesh_, cut_)), first);
+    write_changes(repaired, faces_of(surface_of(cut_)), first);
     manifold.fill_gaps(sites_);
     manifold.open_cavities(sites_);
     manifold.unfold();
@@ -207,26 +207,23 @@ class Stages {
     return unsorted_surface_of_sites(tetrahedral_boundary(mesh_, labels), sites_);
   }
 
+  using Faces = std::set<Corners>;  // of sites in rising order
+
   static Corners sorted(Corners face) {
     std::sort(face.begin(), face.end());
     return face;
-  }
-  static std::map<Corners, int> corners_of(const std::vector<Corners>& faces) {
-    std::map<Corners, int> found;
-    for (const Corners& face : faces) ++found[sorted(face)];
-    return found;
   }
   static Corners in_sites(const Surface& surface, Corners face) {
     for (Index& v : face) v = surface.site[v];
     return face;
   }
-  static std::map<Corners, int> faces_of(const Surface& surface) {
-    std::map<Corners, int> found;
-    for (const Corners& face : surface.triangles) ++found[sorted(in_sites(surface, face))];
+  static Faces faces_of(const Surface& surface) {
+    Faces found;
+    for (const Corners& face : surface.triangles) found.insert(sorted(in_sites(surface, face)));
     return found;
   }
-  void write_changes(const std::string& path, const std::map<Corners, int>& before,
-                     const Surface& surface) const {
+
+  void write_changes(const std::string& path, const Faces& before, const Surface& surface) const {
     Picture picture(set_);
     for (const Corners& face : surface.triangles) {
       const Corners corners = in_sites(surface, face);
@@ -238,16 +235,12 @@ class Stages {
   }
 
   /// White where the value is 0, blue at 1 (inside), orange at -1.
-  static Colour colour_of(double value) {
+  static io::Colour colour_of(double value) {
     const double share = std::min(1.0, std::abs(value));
-    const Colour& end = value > 0 ? kBlue : kOrange;
-    Colour colour{};
+    const io::Colour& end = value > 0 ? kBlue : kOrange;
+    io::Colour colour{};
     for (int k = 0; k < 3; ++k) colour[k] = static_cast<std::uint8_t>(255 + share * (end[k] - 255.0));
     return colour;
-  }
-
-  std::array<Vec3, 3> places(const Corners& face) const {
-    return {sites_[face[0]], sites_[face[1]], sites_[face[2]]};
   }
 
   /// Above the middle of the cloud's box, along the input's y.
@@ -266,23 +259,6 @@ class Stages {
     return corners;
   }
 
-  Corners facet(std::size_t t, int k) const {
-    const auto& corners = mesh_.tets.corners[t];
-    return {corners[kFacet[k][0]], corners[kFacet[k][1]], corners[kFacet[k][2]]};
-  }
-
-  /// Every finite facet once, from a finite tetrahedron.
-  void each_facet(const std::function<void(std::size_t, int, std::size_t)>& visit) const {
-    for (std::size_t t = 0; t < mesh_.size(); ++t) {
-      if (mesh_.tets.infinite(static_cast<Index>(t))) continue;
-      for (int k = 0; k < 4; ++k) {
-        const Index other = mesh_.tets.neighbours[t][k];
-        if (mesh_.tets.infinite(other) || static_cast<std::size_t>(other) > t)
-          visit(t, k, static_cast<std::size_t>(other));
-      }
-    }
-  }
-
   const SiteSet set_;
   const std::vector<Vec3>& sites_;
   const SiteGeometry geometry_;
@@ -298,8 +274,8 @@ void draw(const std::string& cloud, const std::string& folder) {
   stages.write_cut(folder + "/cut.ply");
   stages.write_points(folder + "/points.ply");
   Surface surface = stages.write_mended(folder + "/repaired.ply", folder + "/mended.ply");
-  stages.write_guess(folder + "/guess.ply", surface);
-  stages.write_field(folder + "/field.ply", surface);
+  stages.write_slice(folder + "/guess.ply", stages.guess(), surface);
+  stages.write_slice(folder + "/field.ply", stages.field(), surface);
   stages.write_sharp(folder + "/sharp.ply", std::move(surface));
 }
 
