@@ -76,7 +76,7 @@ class Stages {
       : set_(make_site_set(cloud)), sites_(set_.perturbed), geometry_(site_geometry(sites_)) {
     mesh_ = make_tetrahedral_mesh(delaunay_tetrahedra(sites_), sites_);
     evidence_ = facet_evidence(mesh_, sites_, geometry_);
-    guess_ = carve_widths(mesh_, sites_, geometry_.spacing, 1, 3);
+    guess_ = ball_widths(mesh_, sites_, geometry_.spacing, 1, 3);
     for (double& width : guess_) width = std::clamp((2 - width) * 3, -1.0, 1.0);
     field_ = signed_field(mesh_, evidence_, guess_);
     hold_.resize(mesh_.size());

@@ -5,8 +5,8 @@
     check_docs.py ROOT [PROGRAM..]      PROGRAM: an executable, whose --help lists its options
     check_docs.py --self-test           every check must find the fault of a page made for it
 
-Checked are the length of README.md, links and anchors, paths in backticks, programs, scripts and files in
-commands, options, and that C++ blocks quote an example. Prints one line a fault; exit status 1 if there is any.
+Checked are the length of README.md, links and anchors, paths and functions in backticks, programs, scripts and
+files in commands, options, that C++ blocks quote an example, and that every header of the core has its line. Prints one line a fault; exit status 1 if there is any.
 """
 import glob
 import os
@@ -108,6 +108,9 @@ class Checker:
             self.executables |= set(re.findall(r"add_executable\((\w+)", read(listing)))
         self.examples = [[line.strip() for line in read(example).splitlines()]
                          for example in glob.glob(os.path.join(root, "examples/*.cpp"))]
+        sources = glob.glob(os.path.join(root, "include/**/*.h*"), recursive=True)
+        sources += glob.glob(os.path.join(root, "src/**/*.[hc]*"), recursive=True)
+        self.calls = set(re.findall(r"(\w+)\(", "\n".join(read(source) for source in sources)))
         self.parsed = {}
 
     def page(self, path):
@@ -141,7 +144,7 @@ class Checker:
         if not os.path.exists(page):
             return
         text = read(page)
-        for header in glob.glob(os.path.join(self.root, "src/core/*/*.h")):
+        for header in glob.glob(os.path.join(self.root, "src/core/**/*.h"), recursive=True):
             name = os.path.relpath(header, self.root)
             if name not in text:
                 self.fault(page, f"no line for {name}")
@@ -170,6 +173,9 @@ class Checker:
                 self.fault(path, f"`{word}`: no such path")
             if re.fullmatch(r"\w+\.launch", word) and not self.exists(f"launch/{word}"):
                 self.fault(path, f"`{word}`: no such launch file")
+        call = re.fullmatch(r"(?:\w+::)?(\w+)\(.*\)", span)
+        if call and call.group(1) not in self.calls:
+            self.fault(path, f"`{span}`: no such function")
         named = [word for word in words if os.path.basename(word) in self.options]
         if named or re.match(r"--[a-z]", span):
             owner = os.path.basename(named[0]) if named else heading if heading in self.options else None
@@ -210,7 +216,7 @@ class Checker:
 
 GOOD = """# Title
 
-[here](#title), [there](docs/page.md#one-two), `src/a.cpp`, `tool --fast`, `--fast`, `a.launch`
+[here](#title), [there](docs/page.md#one-two), `src/a.cpp`, `tool --fast`, `--fast`, `a.launch`, `twice(x)`
 
     build/bin/tool tests/data/x.ply --fast    # --not-an-option of a comment
     bash .ci/run
@@ -228,6 +234,7 @@ FAULTS = {
     "[x](docs/page.md#gone)": "no such heading",
     "`src/gone.cpp`": "no such path",
     "`gone.launch`": "no such launch file",
+    "`gone()`": "no such function",
     "`--gone`": "option --gone",
     "`tool --gone`": "option --gone",
     "`tool\n--gone`": "option --gone",
@@ -254,7 +261,8 @@ def self_test():
                 file.write(text)
             return path
 
-        for name in ("src/a.cpp", ".ci/run", "launch/a.launch", "tests/data/x.ply", "src/core/x/y.h"):
+        write("src/a.cpp", "int twice(int x) { return 2 * x; }\n")
+        for name in (".ci/run", "launch/a.launch", "tests/data/x.ply", "src/core/x/y.h"):
             write(name, "")
         write("docs/page.md", "## One `two`\n")
         write("docs/architecture.md", "src/core/x/y.h\n")
