@@ -16,7 +16,7 @@ constexpr int kFacet[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 struct TetrahedralMesh {
   Tetrahedra tets;
   UnsetVector<std::array<Index, 4>> mirror;  ///< across facet k: the neighbour's facet, as 4 * tet + facet
-  UnsetVector<Vec3> circumcentre;    ///< for an infinite one: the outward unit normal of its hull facet
+  UnsetVector<Vec3> circumcentre;  ///< for an infinite one: the unit normal of its hull facet, into the hull
   UnsetVector<double> circumradius;  ///< for an infinite one: infinity
   /// For a tetrahedron that may be flat in exact coordinates, the set of its facets on one side, as bits;
   /// else 0. Facets on different sides overlap, facets on one side do not.

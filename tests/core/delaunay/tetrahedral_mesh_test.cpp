@@ -33,7 +33,7 @@ TEST(TetrahedralMesh, FacetsFaceOutAndMirrorsMatch) {
     }
 }
 
-TEST(TetrahedralMesh, OfAnInfiniteTetrahedronTheCircumcentreIsTheOutwardNormal) {
+TEST(TetrahedralMesh, OfAnInfiniteTetrahedronTheCircumcentreIsTheNormalIntoTheHull) {
   const Setting s(test::sphere(300, 1));
   for (std::size_t t = 0; t < s.mesh.size(); ++t) {
     if (!s.mesh.tets.infinite(static_cast<Index>(t))) continue;
@@ -42,7 +42,7 @@ TEST(TetrahedralMesh, OfAnInfiniteTetrahedronTheCircumcentreIsTheOutwardNormal) 
     EXPECT_EQ(s.mesh.flat[t], 0);
     for (const Index v : s.mesh.tets.corners[t])
       if (v != kNone) {
-        EXPECT_GT(s.mesh.circumcentre[t].dot(s.set.perturbed[v]), 0);
+        EXPECT_LT(s.mesh.circumcentre[t].dot(s.set.perturbed[v]), 0);
       }
   }
 }

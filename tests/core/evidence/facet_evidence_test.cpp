@@ -39,7 +39,7 @@ TEST(FacetEvidence, FacetsAtInfinityHaveNone) {
   EXPECT_GT(infinite, 0);
 }
 
-// Of a convex shape the surface is the hull: its facets have all votes, and facets deep inside have none.
+// The surface of a convex shape is its hull: hull facets have most votes, and long facets inside hardly any.
 TEST(FacetEvidence, VotesAreForTheFacetsOfTheSurface) {
   const Setting s(test::ellipsoid(3000, 3, 0));
   double hull = 0, hull_votes = 0, deep = 0, deep_votes = 0;
@@ -59,12 +59,12 @@ TEST(FacetEvidence, VotesAreForTheFacetsOfTheSurface) {
     }
   ASSERT_GT(hull, 1000);
   ASSERT_GT(deep, 1000);
-  EXPECT_GT(hull_votes, 2.9 * hull);
+  EXPECT_GT(hull_votes, 2 * hull);
   EXPECT_LT(deep_votes, 0.1 * deep);
 }
 
 TEST(FacetEvidence, AFacetWithMoreVotesCostsLessForItsArea) {
-  const Setting s(test::sphere(2000, 4));
+  const Setting s(test::torus(2000, 4));
   double least[4] = {9, 9, 9, 9}, most[4] = {0, 0, 0, 0};
   for (std::size_t t = 0; t < s.mesh.size(); ++t)
     for (int k = 0; k < 4; ++k) {
@@ -73,11 +73,11 @@ TEST(FacetEvidence, AFacetWithMoreVotesCostsLessForItsArea) {
       const int votes = s.evidence.votes[t][k];
       least[votes] = std::min(least[votes], price), most[votes] = std::max(most[votes], price);
     }
-  // The shape of the empty balls may add the same to each.
-  const double spread = most[0] - least[0];
+  // The angle to the circumspheres adds 0 to 0.6 whatever the votes.
+  for (int votes = 0; votes < 4; ++votes) EXPECT_LE(most[votes] - least[votes], 0.6 + 1e-4) << votes;
   for (int votes = 1; votes < 4; ++votes) {
     EXPECT_LT(least[votes], least[votes - 1]) << votes;
-    EXPECT_LE(most[votes], least[votes] + spread + 0.61) << votes;
+    EXPECT_LT(most[votes], most[votes - 1]) << votes;
   }
 }
 
