@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "geometry/parallel.h"
+#include "labelling/signed_clusters.h"
 
 namespace filmsticking {
 namespace {
@@ -57,38 +58,9 @@ class SurfaceEdges {
   std::vector<Edge> edges_;
 };
 
-/// Clusters of tetrahedra, each with a sign relative to its root.
-class SignedClusters {
- public:
-  explicit SignedClusters(std::size_t n) : parent_(n), sign_(n, 1) {
-    for (std::size_t i = 0; i < n; ++i) parent_[i] = static_cast<Index>(i);
-  }
-
-  /// The root of i's cluster, and i's sign in it. Ends: join() takes roots of two trees, so there are no
-  /// rings.
-  std::pair<Index, int> find(Index i) {
-    Index root = i;
-    int sign = 1;
-    for (; parent_[root] != root; root = parent_[root]) sign *= sign_[root];
-    for (int rest = sign; parent_[i] != i;) {  // the path points at the root from now on
-      const Index next = parent_[i];
-      const auto own = sign_[i];
-      parent_[i] = root, sign_[i] = static_cast<signed char>(rest);
-      rest *= own, i = next;
-    }
-    return {root, sign};
-  }
-
-  /// Joins two roots, `a` stays one. `sign`: that of b in a's cluster.
-  void join(Index a, Index b, int sign) { parent_[b] = a, sign_[b] = static_cast<signed char>(sign); }
-
- private:
-  std::vector<Index> parent_;
-  std::vector<signed char> sign_;
-};
-
-/// The contraction. An edge is a facet, named 4 t + k from its lesser side. Of n tetrahedra, cluster n is the
-/// side away from the viewpoint, and 4 n + root the edge between that and another cluster.
+/// The contraction. An edge is a facet, named 4 t + k by the lesser of its two names. Of n tetrahedra,
+/// cluster n stands for the side away from the viewpoint, and 4 n + root is the edge between it and another
+/// cluster.
 class Contraction {
  public:
   Contraction(const TetrahedralMesh& mesh, std::vector<double> weight)
@@ -122,7 +94,7 @@ class Contraction {
 
   Index view(Index root) const { return 4 * behind_ + root; }
 
-  // The edges of a cluster but view(); of one tetrahedron, its facets.
+  // The edges of a cluster, without view(). Those of a single tetrahedron are its facets.
   std::vector<Index>& edges(Index root) {
     std::vector<Index>& list = edges_[root];
     if (list.empty())
@@ -133,7 +105,7 @@ class Contraction {
     return list;
   }
 
-  // The edge between two clusters, or kNone.
+  // The edge between two clusters, or kNone. Drops the edges that are gone from the shorter list.
   Index between(Index a, Index c) {
     std::vector<Index>* list = &edges(a);
     if (edges(c).size() < list->size()) list = &edges(c), std::swap(a, c);
@@ -157,7 +129,7 @@ class Contraction {
     const int sign = (weight_[e] > 0 ? 1 : -1) * sign_t * sign_u;
     weight_[e] = 0;
     if (b == behind_ || (a != behind_ && edges(a).size() < edges(b).size())) std::swap(a, b);
-    // Edges from both to a third become one; the others of b become a's.
+    // Edges from both to a third cluster become one; the others of b become a's.
     std::vector<Index> moved;
     for (Index f : edges(b)) {
       if (weight_[f] == 0) continue;
@@ -192,13 +164,14 @@ class Contraction {
 
   const TetrahedralMesh& mesh_;
   const Index behind_;
-  std::vector<double> weight_;  // of an edge; 0: gone
+  std::vector<double> weight_;  // [edge]; 0: gone
   SignedClusters clusters_;
   std::vector<std::vector<Index>> edges_;
   std::priority_queue<std::pair<double, Index>> strongest_;
 };
 
-// What the facets say of their tetrahedra and a viewpoint, to the edges of the contraction.
+// Adds edges to the side away from the viewpoint: a facet of the surface weighs for its tetrahedron behind it
+// to be there, and for the one before it not to be.
 void add_view(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites, const Vec3& viewpoint,
               std::vector<double>& weight) {
   const std::size_t n = mesh.size();
@@ -242,7 +215,7 @@ std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec
   Contraction contraction(mesh, std::move(weight));
   SignedClusters clusters = contraction.run(cancel);
 
-  std::vector<double> hull(mesh.size() + 1, 0);  // of a root: its area with its sign less that with the other
+  std::vector<double> hull(mesh.size() + 1, 0);  // [root]: area with its sign less that with the other
   for (std::size_t t = 0; t < mesh.size(); ++t) {
     if (!mesh.tets.infinite(static_cast<Index>(t))) continue;
     const auto [root, sign] = clusters.find(static_cast<Index>(t));

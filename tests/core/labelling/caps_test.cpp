@@ -13,8 +13,6 @@ namespace {
 
 using Setting = test::FieldSetting;
 
-// A sphere whose inside reaches only to three quarters of its radius, but for a shell: its samples lie along
-// the facets between the tetrahedra that are outside on both sides of it.
 TEST(Caps, AreWideTetrahedraOutsideBesideNarrowFacets) {
   std::size_t count = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {

@@ -11,12 +11,12 @@ namespace {
 
 using Setting = test::FieldSetting;
 
-TEST(Roughness, IsSmallForASmoothSurfaceAndOneForNoise) {
+TEST(Roughness, IsSmallForASmoothSurfaceAndMoreForRandomLabels) {
   const Setting s(test::sphere(1500, 1));
   test::LabelSetting smooth(s, test::labels_where(s, [](const Point&) { return true; }));
   EXPECT_LT(roughness(smooth.labelling, s.set.perturbed), 0.1);
   test::LabelSetting noise(s, test::random_labels(s.mesh, 1));
-  EXPECT_EQ(roughness(noise.labelling, s.set.perturbed), 1);
+  EXPECT_GT(roughness(noise.labelling, s.set.perturbed), 0.3);
 }
 
 TEST(Roughness, WithoutASurfaceIsNone) {
