@@ -111,8 +111,8 @@ TEST(PcdToMesh, MakesAMeshOfSpot) {
 TEST(PcdToMesh, ReadsEveryFormatToTheSameMesh) {
   const ScratchFolder folder;
   const Model cloud = io::read_cloud(kBunny);
-  io::write_mesh(folder / "cloud.ply", {cloud.positions, {}, {}});
-  io::write_mesh(folder / "cloud.obj", {cloud.positions, {}, {}});
+  io::write_mesh(folder / "cloud.ply", Model(cloud.positions, {}, {}));
+  io::write_mesh(folder / "cloud.obj", Model(cloud.positions, {}, {}));
   for (const char* name : {"cloud.xyz", "cloud.TXT"}) {
     std::ofstream text(folder / name);
     text.precision(17);
@@ -419,7 +419,7 @@ TEST(PcdToMesh, BadInputsFailInOneSentence) {
 TEST(PcdToMesh, BadOutputsFailInOneSentence) {
   const ScratchFolder folder;
   fs::copy_file(kBunny, folder / "cloud.pcd");
-  io::write_mesh(folder / "cloud.ply", io::read_cloud(kBunny));
+  io::write_mesh(folder / "cloud.ply", Model(io::read_cloud(kBunny)));
   expect_failure({kBunny, folder / "mesh.foo"}, folder, 1);
   expect_failure({kBunny, folder / "mesh"}, folder, 1);
   expect_failure({kBunny, folder / "no/such/mesh.ply"}, folder, 1);
