@@ -349,8 +349,8 @@ TEST_F(NodeTest, RunsTheFilters) {
   set("max_range", 20.0);
   std::vector<Point> cloud = ball(500);
   const std::vector<Point> inside = cloud;
-  for (const Point& p : ball(300, 2, {5, 0, 0})X(p);
-  for (const Point& p : ball(300, 3, {50, 0, 0})X(p);
+  for (const Point& p : ball(300, 2, {5, 0, 0})) cloud.push_back(p);
+  for (const Point& p : ball(300, 3, {50, 0, 0})) cloud.push_back(p);
   expect_good_mesh(mesh_at(publish(cloud)), inside);
 }
 
@@ -419,7 +419,7 @@ TEST_F(NodeTest, OutlivesBrokenClouds) {
   cloud.header.frame_id = "map";
   cloud.width *= 1000;
   input.publish(cloud);  // too few bytes
-  publish({});
+  publish(std::vector<Point>());
   publish(ball(100), "a_frame_that_nobody_knows");
   publish(std::vector<Point>(50, {1, 2, 3}));
   const std::vector<Point> good = ball(500);

@@ -92,7 +92,7 @@ TEST_F(LiveMesherTest, ByTimeIfSomethingCame) {
   mesher.tick(kStart + seconds(300));
   EXPECT_FALSE(mesher.facts().busy);
   mesher.add(ball(100), {}, kStart + seconds(301));
-  mesher.tick(kStart + seconds(301));  // the former is long ago
+  mesher.tick(kStart + seconds(301));  // the last one was long ago
   ASSERT_TRUE(mesher.wait(2));
   EXPECT_EQ(mesher.facts().meshes, 2);
 }
@@ -147,7 +147,7 @@ TEST_F(LiveMesherTest, AFilterThatCannotRunIsAFailure) {
 
 TEST_F(LiveMesherTest, ResetForgetsAllAndPublishesAnEmptyMesh) {
   mesher.set(settings);
-  mesher.add(ball(20000), {"map", 1}, kStart);  // still runs at the reset, or does not: nothing is left of it
+  mesher.add(ball(20000), {"map", 1}, kStart);  // at the reset it may run or be done
   mesher.reset();
   EXPECT_EQ(mesher.facts().held, 0);
   EXPECT_EQ(mesher.request(), 0u);

@@ -11,13 +11,13 @@
 namespace filmsticking::stream {
 namespace {
 
-/// A job that lasts until it is let go or cancelled.
+/// A job that lasts until `go` is ready or it is cancelled.
 struct Held {
   int number = 0;
   std::shared_future<void> go;
 };
 
-/// Notes what was done; tells when a job has begun.
+/// Records which jobs ended how, and when a job has begun.
 struct Notes {
   std::vector<int> done, cancelled;
   std::promise<void> begun;
@@ -53,7 +53,7 @@ TEST(NewestWins, OnlyTheNewestWaits) {
   }
   EXPECT_TRUE(worker.busy());
   go.set_value();
-  EXPECT_TRUE(worker.wait(second));  // over when the one that took its place is
+  EXPECT_TRUE(worker.wait(second));  // over when the job that replaced it is
   EXPECT_TRUE(worker.wait(last));
   EXPECT_EQ(notes.done, (std::vector<int>{0, 100}));
   EXPECT_EQ(worker.superseded(), 99);
@@ -67,7 +67,7 @@ TEST(NewestWins, AtOnceEndsTheRunningJob) {
   const auto first = worker.submit({1, never.get_future().share()});
   notes.begun.get_future().wait();
   worker.submit({2, {}}, true);
-  EXPECT_TRUE(worker.wait(first));  // for the one that took its place
+  EXPECT_TRUE(worker.wait(first));  // for the job that replaced it
   EXPECT_EQ(notes.cancelled, (std::vector<int>{1}));
   EXPECT_EQ(notes.done, (std::vector<int>{2}));
 }
@@ -87,10 +87,10 @@ TEST(NewestWins, CancelEndsAllAndLaterJobsAreDone) {
   EXPECT_EQ(notes.done, (std::vector<int>{3}));
 }
 
-TEST(NewestWins, StopLetsGoWhoeverWaits) {
+TEST(NewestWins, StopEndsAllWaits) {
   Notes notes;
   NewestWins<Held> worker([&](Held& job, auto, const auto& cancel) { notes.work(job, cancel); });
-  std::thread waits([&] { EXPECT_FALSE(worker.wait(1)); });  // nobody ever submits it
+  std::thread waits([&] { EXPECT_FALSE(worker.wait(1)); });  // never submitted
   worker.stop();
   waits.join();
 }

@@ -16,10 +16,10 @@
 
 namespace filmsticking::test {
 
-/// What one ray of a grid of parallel ones hits first.
+/// The first hits of a grid of parallel rays.
 struct RangeImage {
   Eigen::Isometry3d pose;               ///< sensor to world
-  std::vector<Eigen::Vector3d> points;  ///< in the sensor's coordinates; it looks along its z
+  std::vector<Eigen::Vector3d> points;  ///< in the sensor's coordinates, whose z is the direction of the rays
 };
 
 /// Casts rays `pitch` apart along the sensor's z at all triangles and keeps the nearest hit of each.
@@ -39,7 +39,7 @@ inline RangeImage cast_rays(const Mesh& mesh, const Eigen::Isometry3d& pose, dou
   for (const Triangle& t : mesh.triangles) {
     const Eigen::Vector3d &a = corners[t[0]], &b = corners[t[1]], &c = corners[t[2]];
     const Eigen::Vector3d normal = (b - a).cross(c - a);
-    if (std::abs(normal.z()) < 1e-300) continue;  // along the rays
+    if (std::abs(normal.z()) < 1e-300) continue;  // parallel to the rays
     const Eigen::Vector3d low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
     const int x_end = static_cast<int>((high.x() - least.x()) / pitch);
     const int y_end = static_cast<int>((high.y() - least.y()) / pitch);
@@ -66,7 +66,7 @@ inline RangeImage cast_rays(const Mesh& mesh, const Eigen::Isometry3d& pose, dou
   return image;
 }
 
-/// A turn around the mesh's y, and one around its x, each in equal steps.
+/// Images from a full turn about the mesh's y axis and one about its x axis, each in equal steps.
 inline std::vector<RangeImage> turntable(const Mesh& mesh, int steps, double pitch) {
   constexpr double kDistance = 5;
   std::vector<RangeImage> images;
@@ -79,7 +79,7 @@ inline std::vector<RangeImage> turntable(const Mesh& mesh, int steps, double pit
   return images;
 }
 
-/// Writes a binary PCD file; the pose as its viewpoint if wanted.
+/// Writes a binary PCD file; `viewpoint`: the sensor's pose, or null for the identity.
 inline void write_pcd(const std::string& path, const std::vector<Eigen::Vector3d>& points,
                       const Eigen::Isometry3d* viewpoint = nullptr) {
   const Eigen::Isometry3d pose = viewpoint ? *viewpoint : Eigen::Isometry3d::Identity();
