@@ -84,17 +84,17 @@ void read_as_frame(std::string_view bytes) {
   const int file = memfd_create("frame", 0);
   if (file < 0 || write(file, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) std::abort();
   try {
-    const auto frame = capture::pcd_sequence({"/proc/self/fd/" + std::to_string(file)})->next();
-    if (frame) require_no_fault(fault_of(capture::frame_points(*frame, {}), bytes.size()));
-  } catch (const capture::CaptureError&) {
+    const auto frame = stream::pcd_sequence({"/proc/self/fd/" + std::to_string(file)})->next();
+    if (frame) require_no_fault(fault_of(stream::frame_points(*frame, {}), bytes.size()));
+  } catch (const stream::StreamError&) {
   }
   close(file);
 }
 
 void read_as_trajectory(std::string_view bytes) {
   try {
-    if (capture::parse_trajectory(bytes).size() == 0) std::abort();
-  } catch (const capture::CaptureError&) {
+    if (stream::parse_trajectory(bytes).size() == 0) std::abort();
+  } catch (const stream::StreamError&) {
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A whole chain of PCL around pcl::FilmstickingPP: scan in, cleaned, thinned, meshed, smoothed, saved.
-// README.md quotes the middle part, and a test compares the two.
+// A chain of PCL around pcl::FilmstickingPP: load, remove outliers, thin, mesh, smooth, save.
+// docs/class.md goes through it.
 #include <pcl/common/common.h>
 #include <pcl/filters/statistical_outlier_removal.h>
 #include <pcl/filters/voxel_grid.h>
@@ -17,7 +17,7 @@ namespace {
 
 using PointT = pcl::PointXYZ;
 
-/// About `points` cells of this size cover the surface of the cloud's box.
+/// The cell width at which about `points` cells cover the surface of the cloud's box.
 float leaf_size(const pcl::PointCloud<PointT>& cloud, double points) {
   Eigen::Vector4f low, high;
   pcl::getMinMax3D(cloud, low, high);
@@ -34,7 +34,7 @@ int run(const char* scan, const char* result) {
   }
   const float leaf = leaf_size(*cloud, 5000);
 
-  // Points that stand alone are taken away; the mesh would go through them.
+  // A mesh through all points would go through the outliers, too.
   pcl::StatisticalOutlierRemoval<PointT> cleaner;
   cleaner.setInputCloud(cloud);
   cleaner.setMeanK(16);
@@ -48,14 +48,12 @@ int run(const char* scan, const char* result) {
   pcl::PointCloud<PointT>::Ptr thin(new pcl::PointCloud<PointT>);
   thinner.filter(*thin);
 
-  // The surface: nothing to set.
-  pcl::FilmstickingPP<PointT> film;
-  film.setInputCloud(thin);
+  pcl::FilmstickingPP<PointT> filmsticking;
+  filmsticking.setInputCloud(thin);
   pcl::PolygonMesh::Ptr mesh(new pcl::PolygonMesh);
-  film.reconstruct(*mesh);
-  if (film.getStatus() != pcl::FilmstickingPP<PointT>::Status::Ok) return 1;  // said by PCL_ERROR
+  filmsticking.reconstruct(*mesh);
+  if (filmsticking.getStatus() != pcl::FilmstickingPP<PointT>::Status::Ok) return 1;  // PCL_ERROR says why
 
-  // Smoothing moves the vertices and keeps the mesh closed.
   pcl::MeshSmoothingLaplacianVTK smoother;
   smoother.setInputMesh(mesh);
   smoother.setNumIter(10);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same cloud through the surface classes of PCL and through pcl::FilmstickingPP, one PLY file each.
-// The numbers of the comparison in apps/README.md come from here and from mesh_report.
+// One cloud through the surface classes of PCL and through pcl::FilmstickingPP, a PLY file each.
+// The table in docs/class.md has the times that it prints, and what mesh_report says of the files.
 #include <pcl/common/centroid.h>
 #include <pcl/common/io.h>
 #include <pcl/features/normal_3d.h>
@@ -18,9 +18,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -29,7 +30,7 @@ using PointT = pcl::PointNormal;
 using Cloud = pcl::PointCloud<PointT>;
 using Tree = pcl::search::KdTree<PointT>;
 
-/// The mean distance to the nearest other point: what the radii of the other classes are taken from.
+/// Mean distance to the nearest other point; PCL's classes get their radii from it.
 double spacing(const Cloud::ConstPtr& cloud) {
   Tree tree;
   tree.setInputCloud(cloud);
@@ -43,7 +44,7 @@ double spacing(const Cloud::ConstPtr& cloud) {
   return sum / static_cast<double>(cloud->size());
 }
 
-/// Normals as PCL's tutorial on Poisson makes them: away from the middle.
+/// Normals away from the centroid, as PCL's tutorial on Poisson makes them.
 void add_normals(const Cloud::Ptr& cloud) {
   pcl::NormalEstimation<PointT, PointT> estimation;
   estimation.setInputCloud(cloud);
@@ -58,70 +59,53 @@ void add_normals(const Cloud::Ptr& cloud) {
     (*cloud)[i].getNormalVector3fMap() = -normals[i].getNormalVector3fMap();
 }
 
+struct Method {
+  std::string name;
+  std::unique_ptr<pcl::PCLSurfaceBase<PointT>> surface;
+};
+
+/// Each class with its tutorial's settings, and radii from `step`, the spacing.
+std::vector<Method> methods(double step) {
+  auto greedy = std::make_unique<pcl::GreedyProjectionTriangulation<PointT>>();
+  greedy->setSearchRadius(6 * step);
+  greedy->setMu(2.5);
+  greedy->setMaximumNearestNeighbors(100);
+  auto hoppe = std::make_unique<pcl::MarchingCubesHoppe<PointT>>();
+  hoppe->setGridResolution(60, 60, 60);
+  hoppe->setPercentageExtendGrid(0.1f);
+  auto convex = std::make_unique<pcl::ConvexHull<PointT>>();
+  convex->setDimension(3);
+  auto concave = std::make_unique<pcl::ConcaveHull<PointT>>();
+  concave->setDimension(3);
+  concave->setAlpha(3 * step);
+
+  std::vector<Method> all;
+  all.push_back({"GreedyProjectionTriangulation", std::move(greedy)});
+  all.push_back({"Poisson", std::make_unique<pcl::Poisson<PointT>>()});
+  all.push_back({"MarchingCubesHoppe", std::move(hoppe)});
+  all.push_back({"ConvexHull", std::move(convex)});
+  all.push_back({"ConcaveHull", std::move(concave)});
+  all.push_back({"FilmstickingPP", std::make_unique<pcl::FilmstickingPP<PointT>>()});
+  return all;
+}
+
 int run(const std::string& file, const std::string& folder) {
   const Cloud::Ptr cloud(new Cloud);
   if (pcl::io::load(file, *cloud) != 0 || cloud->size() < 13) {
     std::fprintf(stderr, "surfaces: cannot read enough points from %s\n", file.c_str());
     return 1;
   }
-  const double step = spacing(cloud);
   add_normals(cloud);
-
-  const auto mesh_by = [&](pcl::PCLSurfaceBase<PointT>& method) {
-    method.setInputCloud(cloud);
-    method.setSearchMethod(Tree::Ptr(new Tree));
-    pcl::PolygonMesh mesh;
-    method.reconstruct(mesh);
-    return mesh;
-  };
-  const std::vector<std::pair<std::string, std::function<pcl::PolygonMesh()>>> methods = {
-      {"GreedyProjectionTriangulation",
-       [&] {
-         pcl::GreedyProjectionTriangulation<PointT> method;
-         method.setSearchRadius(6 * step);
-         method.setMu(2.5);
-         method.setMaximumNearestNeighbors(100);
-         return mesh_by(method);
-       }},
-      {"Poisson",
-       [&] {
-         pcl::Poisson<PointT> method;
-         return mesh_by(method);
-       }},
-      {"MarchingCubesHoppe",
-       [&] {
-         pcl::MarchingCubesHoppe<PointT> method;
-         method.setGridResolution(60, 60, 60);
-         method.setPercentageExtendGrid(0.1f);
-         return mesh_by(method);
-       }},
-      {"ConvexHull",
-       [&] {
-         pcl::ConvexHull<PointT> method;
-         method.setDimension(3);
-         return mesh_by(method);
-       }},
-      {"ConcaveHull",
-       [&] {
-         pcl::ConcaveHull<PointT> method;
-         method.setDimension(3);
-         method.setAlpha(3 * step);
-         return mesh_by(method);
-       }},
-      {"FilmstickingPP",
-       [&] {
-         pcl::FilmstickingPP<PointT> method;
-         return mesh_by(method);
-       }},
-  };
-  for (const auto& [name, make_mesh] : methods) {
+  for (const auto& [name, surface] : methods(spacing(cloud))) {
     const auto start = std::chrono::steady_clock::now();
-    const pcl::PolygonMesh mesh = make_mesh();
+    surface->setInputCloud(cloud);
+    surface->setSearchMethod(Tree::Ptr(new Tree));
+    pcl::PolygonMesh mesh;
+    surface->reconstruct(mesh);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     const std::string path = std::string(folder).append("/").append(name).append(".ply");
     if (mesh.polygons.empty() || pcl::io::savePLYFileBinary(path, mesh) != 0) {
-      std::fprintf(stderr, "surfaces: %s made no mesh, or it cannot be written to %s\n", name.c_str(),
-                   folder.c_str());
+      std::fprintf(stderr, "surfaces: no mesh by %s, or no file in %s\n", name.c_str(), folder.c_str());
       return 1;
     }
     std::printf("%-30s %8zu triangles %8.2f s\n", name.c_str(), mesh.polygons.size(), seconds.count());
