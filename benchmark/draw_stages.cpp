@@ -17,10 +17,15 @@
 #include "evidence/signed_field.h"
 #include "geometry/triangle_adjacency.h"
 #include "io/cloud.h"
-#include "io/model_file.h"
-#include "labelling/manifold_labels.h"
+#include "io/formats.h"
+#include "labelling/labelling.h"
+#include "labelling/mend.h"
+#include "labelling/reach.h"
+#include "labelling/repair.h"
 #include "labelling/sculpt.h"
 #include "labelling/surface_sheets.h"
+#include "labelling/unfold.h"
+#include "labelling/warp.h"
 #include "points/site_set.h"
 #include "surface/feature_flips.h"
 #include "surface/surface_quality.h"
@@ -60,7 +65,7 @@ class Picture {
         triangles.push_back({first, first + 1, first + 2});
         triangles.push_back({first, first + 2, first + 1});
       }
-    io::write_model(path, {positions, colours, triangles});
+    io::write_mesh(path, io::make_cloud(positions, colours), triangles);
   }
 
  private:
@@ -153,17 +158,17 @@ class Stages {
     LabelCosts costs{evidence_.cost, hold_, {}};
     for (const double spacing : geometry_.spacing) costs.off.push_back(5 * spacing * spacing);
     std::vector<char> labels = cut_;
-    ManifoldLabels manifold(mesh_, geometry_, costs, labels);
-    manifold.repair();
-    manifold.warp(aim_);
-    manifold.unfold();
-    manifold.reach();
+    Labelling labelling(mesh_, geometry_, costs, labels);
+    repair(labelling);
+    warp(labelling, aim_);
+    unfold(labelling);
+    reach(labelling);
     const Surface first = surface_of(labels);
     write_changes(repaired, faces_of(surface_of(cut_)), first);
-    manifold.fill_gaps(sites_);
-    manifold.open_cavities(sites_);
-    manifold.unfold();
-    manifold.reach();
+    mend(labelling, sites_);
+    open_cavities(labelling, sites_);
+    unfold(labelling);
+    reach(labelling);
     const Surface second = surface_of(labels);
     write_changes(mended, faces_of(first), second);
     return second;
@@ -269,7 +274,7 @@ class Stages {
 };
 
 void draw(const std::string& cloud, const std::string& folder) {
-  Stages stages(io::read_cloud(cloud).positions);
+  Stages stages(io::positions_of(io::read_cloud(cloud).points));
   stages.write_votes(folder + "/votes.ply");
   stages.write_cut(folder + "/cut.ply");
   stages.write_points(folder + "/points.ply");
