@@ -9,7 +9,7 @@
 
 #include "common/filter_arguments.h"
 #include "common/reconstruction_arguments.h"
-#include "io/format.h"
+#include "io/formats.h"
 
 namespace fs = std::filesystem;
 
