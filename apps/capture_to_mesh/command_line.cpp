@@ -93,7 +93,7 @@ std::string usage() {
   add_options(arguments, command);
   const char* const openni =
       stream::has_openni() ? "This program can read .oni files and OpenNI2 cameras.\n"
-                            : "This program's PCL was built without OpenNI2: no .oni files, no cameras.\n";
+                           : "This program's PCL was built without OpenNI2: no .oni files, no cameras.\n";
   return R"(usage: capture_to_mesh RECORDING OUTPUT [options]
        capture_to_mesh --device NAME OUTPUT [options]
 
