@@ -25,6 +25,7 @@
 namespace filmsticking::mesh_report {
 namespace {
 
+using test::Model;
 using test::Outcome;
 using test::ScratchFolder;
 

@@ -131,7 +131,7 @@ TEST(Contents, MeasuresTheFilmThatIsShown) {
 }
 
 TEST(Contents, SaysWhatIsShown) {
-  const Contents contents(two_cubes(), {{{0.5, 2, 0.5}}, {}, {}}, {}, 0);
+  const Contents contents(two_cubes(), io::make_cloud({{0.5, 2, 0.5}}), {}, 0);
   ViewState state;
   state.film = 1;
   state.paint = Paint::Points;

@@ -167,7 +167,7 @@ TEST(Steps, ComeInTheirOrderAndNameWhatIsBroken) {
   EXPECT_EQ(steps[0].name, "step_002.ply");
   EXPECT_EQ(steps[1].name, "step_010.ply");
   EXPECT_EQ(steps[2].name, "step_1000.ply");
-  EXPECT_EQ(steps[0].film.triangles.size(), 2u);
+  EXPECT_EQ(steps[0].film.polygons.size(), 2u);
   std::ofstream(folder / "step_003.ply") << "ply\n";
   try {
     scene::read_steps(folder.path().string());
