@@ -38,6 +38,7 @@ void call_back(const Call& call) {
 class Monitor {
  public:
   Monitor(const Execution& execution, Report& report) : execution_(execution), report_(report) {}
+  Monitor(Execution&&, Report&) = delete;  // it would outlive its execution
   ~Monitor() { leave(); }
   Monitor(const Monitor&) = delete;
   Monitor& operator=(const Monitor&) = delete;

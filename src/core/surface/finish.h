@@ -22,7 +22,7 @@ struct FinishOptions {
 /// A finished surface. Its vertices have the exact places of their sites.
 struct FinishedSurface {
   Surface surface;
-  SurfaceTopology topology;  ///< of `surface`
+  SurfaceTopology topology;  ///< of `surface`; twins as before components were turned over
   std::int64_t flips = 0;    ///< edges flipped along sharp edges
   bool usable = false;       ///< false: without faces, or closed and without volume
 

@@ -13,8 +13,9 @@ namespace {
 
 TEST(Monitor, TimesEveryStageOnceInOrderOfFirstEntry) {
   Report report;
+  const Execution execution;
   {
-    Monitor monitor({}, report);
+    Monitor monitor(execution, report);
     for (const char* stage : {"one", "two", "one", "three"}) monitor.enter(stage, 0);
   }
   ASSERT_EQ(report.rooms.size(), 3U);

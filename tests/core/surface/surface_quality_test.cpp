@@ -28,8 +28,9 @@ TEST(SurfaceQuality, OfASmoothBallIsNearlyPerfect) {
 }
 
 TEST(SurfaceQuality, CountsComponentsLoopsAndSitesOff) {
-  const Surface caps = test::ball_without([](const Vec3& p) { return std::abs(p.z()) < 0.4; });
-  const SurfaceQuality two = surface_quality(caps, geometry_of(caps));
+  const Surface ball = test::ball_without([](const Vec3& p) { return std::abs(p.z()) < 0.4; });
+  const Surface caps = surface_of_sites(ball.triangles, ball.positions);  // without the vertices between
+  const SurfaceQuality two = surface_quality(caps, geometry_of(ball));
   EXPECT_EQ(two.complexity, 3);  // two components, and a half for each of two rims
   EXPECT_EQ(two.handles, 0);
   Surface part = test::ball_without([](const Vec3& p) { return p.z() < 0; });
