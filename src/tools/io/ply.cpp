@@ -30,7 +30,7 @@ struct Element {
   std::vector<Property> properties;
 };
 
-struct Header {
+struct PlyHeader {
   Format format = Format::Ascii;
   std::vector<Element> elements;
 };
@@ -88,8 +88,8 @@ Property parse_property(TextScanner& line) {
 }
 
 /// Leaves `file` at the first byte after the header.
-Header parse_header(TextScanner& file) {
-  Header header;
+PlyHeader parse_ply_header(TextScanner& file) {
+  PlyHeader header;
   std::string_view text;
   if (!file.line(text) || text != "ply") throw IoError("it is not a PLY file");
   while (file.line(text)) {
@@ -311,7 +311,7 @@ std::vector<Column> columns_of(const pcl::PCLPointCloud2& cloud) {
 
 pcl::PolygonMesh decode_ply(std::string_view bytes) {
   TextScanner file(bytes);
-  Header header = parse_header(file);
+  PlyHeader header = parse_ply_header(file);
   Body body(header.format, bytes.substr(bytes.size() - file.remaining()));
 
   pcl::PCLPointCloud2 vertices = make_cloud({});
