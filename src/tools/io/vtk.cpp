@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n\v\f";
 
-[[noreturn]] void throw_short() { throw IoError("it is not a whole VTK file"); }
+[[noreturn]] void throw_vtk_short() { throw IoError("it is not a whole VTK file"); }
 
 std::string lower(std::string_view word) {
   std::string text(word);
@@ -36,9 +36,9 @@ std::string lower(std::string_view word) {
 }
 
 /// The words and numbers of a file, one after the other.
-class Body {
+class VtkBody {
  public:
-  explicit Body(std::string_view bytes) : rest_(bytes) {}
+  explicit VtkBody(std::string_view bytes) : rest_(bytes) {}
 
   std::string_view line() {
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
@@ -91,7 +91,7 @@ class Body {
   void array(std::size_t tuples, std::size_t size, Scalar type, const Use& use) {
     if (binary_) line();
     const std::size_t smallest = binary_ ? size_of(type) : 1;
-    if (size > 0 && tuples > rest_.size() / smallest / size) throw_short();
+    if (size > 0 && tuples > rest_.size() / smallest / size) throw_vtk_short();
     for (std::size_t i = 0; i < tuples * size; ++i) use(value(type));
   }
 
@@ -121,7 +121,7 @@ class Body {
 
   double text_value(Scalar type) {
     const std::string_view text = word();
-    if (text.empty()) throw_short();
+    if (text.empty()) throw_vtk_short();
     float single = 0;
     double value = 0;
     if (!(type == Scalar::Float ? TextScanner(text).number(single) : TextScanner(text).number(value)))
@@ -250,7 +250,7 @@ class Decoder {
     body_.word();
     for (std::size_t left = body_.count(); left > 0; --left) {
       const std::string_view name = body_.word();
-      if (name.empty()) throw_short();
+      if (name.empty()) throw_vtk_short();
       if (lower(name) == "metadata") {  // of the array before
         metadata();
         ++left;
@@ -314,7 +314,7 @@ class Decoder {
     });
   }
 
-  Body body_;
+  VtkBody body_;
   std::vector<Point> positions_;
   std::vector<Colour> colours_;
   std::vector<Triangle> triangles_;
