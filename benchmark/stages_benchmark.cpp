@@ -32,9 +32,9 @@ namespace filmsticking {
 namespace {
 
 /// The results of every stage of the default pipeline, up to the film.
-class House {
+class Stages {
  public:
-  explicit House(int points)
+  explicit Stages(int points)
       : cloud(test::torus(points, 1)), set(make_site_set(cloud)), sites(set.perturbed) {
     mesh = make_tetrahedral_mesh(delaunay_tetrahedra(sites), sites);
     voronoi = voronoi_diagram(mesh.tets, sites);
@@ -96,19 +96,19 @@ class House {
 };
 
 /// Built once for each number of points.
-const House& house(int points) {
-  static std::map<int, std::unique_ptr<House>> built;
-  std::unique_ptr<House>& found = built[points];
-  if (!found) found = std::make_unique<House>(points);
+const Stages& stages(int points) {
+  static std::map<int, std::unique_ptr<Stages>> built;
+  std::unique_ptr<Stages>& found = built[points];
+  if (!found) found = std::make_unique<Stages>(points);
   return *found;
 }
 
 template <typename Work>
-void room(const char* name, Work work) {
+void stage(const char* name, Work work) {
   benchmark::RegisterBenchmark(name,
                                [work](benchmark::State& state) {
-                                 const House& h = house(static_cast<int>(state.range(0)));
-                                 for (auto _ : state) benchmark::DoNotOptimize(work(h));
+                                 const Stages& s = stages(static_cast<int>(state.range(0)));
+                                 for (auto _ : state) benchmark::DoNotOptimize(work(s));
                                  state.counters["points/s"] =
                                      benchmark::Counter(static_cast<double>(state.range(0)),
                                                         benchmark::Counter::kIsIterationInvariantRate);
@@ -120,57 +120,57 @@ void room(const char* name, Work work) {
       ->UseRealTime();
 }
 
-void register_rooms() {
-  room("site set", [](const House& h) { return make_site_set(h.cloud).size(); });
-  room("Delaunay triangulation", [](const House& h) { return DelaunayTriangulation(h.sites).dimension(); });
-  room("Delaunay tetrahedra", [](const House& h) { return delaunay_tetrahedra(h.sites).size(); });
-  room("Voronoi neighbours",
-       [](const House& h) { return voronoi_diagram(h.mesh.tets, h.sites).neighbour.size(); });
-  room("site geometry", [](const House& h) { return site_geometry(h.sites).normal.size(); });
-  room("facet evidence",
-       [](const House& h) { return facet_evidence(h.mesh, h.sites, h.geometry).cost.size(); });
-  room("carve widths",
-       [](const House& h) { return ball_widths(h.mesh, h.sites, h.geometry.spacing, 1, 3).size(); });
-  room("signed field", [](const House& h) { return signed_field(h.mesh, h.evidence, h.guess).size(); });
-  room("minimum cut", [](const House& h) { return h.cut().size(); });
-  room("manifold labels and their boundary",
-       [](const House& h) { return h.boundary_film().triangles.size(); });
-  room("restricted power diagram", [](const House& h) {
-    const auto vertices = static_cast<Index>(h.first_film.positions.size());
-    return restrict_power_diagram(h.first_film, half_edge_twins(h.first_film.triangles, vertices), h.voronoi)
+void register_stages() {
+  stage("site set", [](const Stages& s) { return make_site_set(s.cloud).size(); });
+  stage("Delaunay triangulation", [](const Stages& s) { return DelaunayTriangulation(s.sites).dimension(); });
+  stage("Delaunay tetrahedra", [](const Stages& s) { return delaunay_tetrahedra(s.sites).size(); });
+  stage("Voronoi neighbours",
+        [](const Stages& s) { return voronoi_diagram(s.mesh.tets, s.sites).neighbour.size(); });
+  stage("site geometry", [](const Stages& s) { return site_geometry(s.sites).normal.size(); });
+  stage("facet evidence",
+        [](const Stages& s) { return facet_evidence(s.mesh, s.sites, s.geometry).cost.size(); });
+  stage("carve widths",
+        [](const Stages& s) { return ball_widths(s.mesh, s.sites, s.geometry.spacing, 1, 3).size(); });
+  stage("signed field", [](const Stages& s) { return signed_field(s.mesh, s.evidence, s.guess).size(); });
+  stage("minimum cut", [](const Stages& s) { return s.cut().size(); });
+  stage("manifold labels and their boundary",
+        [](const Stages& s) { return s.boundary_film().triangles.size(); });
+  stage("restricted power diagram", [](const Stages& s) {
+    const auto vertices = static_cast<Index>(s.first_film.positions.size());
+    return restrict_power_diagram(s.first_film, half_edge_twins(s.first_film.triangles, vertices), s.voronoi)
         .cell.size();
   });
-  room("film step", [](const House& h) {
+  stage("film step", [](const Stages& s) {
     RepairCounts counts;
-    return film_step(h.first_film, h.voronoi, RingChoice::Smooth, counts).triangles.size();
+    return film_step(s.first_film, s.voronoi, RingChoice::Smooth, counts).triangles.size();
   });
-  room("winding number of every tetrahedron", [](const House& h) {
-    const WindingNumber winding(h.sites, film_dipoles(h.film, h.sites.size()));
-    std::vector<double> value(h.mesh.size());
+  stage("winding number of every tetrahedron", [](const Stages& s) {
+    const WindingNumber winding(s.sites, film_dipoles(s.film, s.sites.size()));
+    std::vector<double> value(s.mesh.size());
     parallel_each(value.size(), [&](std::size_t t) {
       Vec3 centre = Vec3::Zero();
-      for (Index i : h.mesh.tets.corners[t])
-        if (i != kNone) centre += h.sites[i] / 4;
+      for (Index i : s.mesh.tets.corners[t])
+        if (i != kNone) centre += s.sites[i] / 4;
       value[t] = winding(centre);
     });
     return value.size();
   });
-  room("12 nearest sites of every site", [](const House& h) {
-    const PointTree tree(h.sites);
-    std::vector<Index> farthest(h.sites.size());
-    parallel_each(farthest.size(), [&](std::size_t i) { farthest[i] = tree.nearest(h.sites[i], 12).back(); });
+  stage("12 nearest sites of every site", [](const Stages& s) {
+    const PointTree tree(s.sites);
+    std::vector<Index> farthest(s.sites.size());
+    parallel_each(farthest.size(), [&](std::size_t i) { farthest[i] = tree.nearest(s.sites[i], 12).back(); });
     return farthest.size();
   });
-  room("nearest film point of every site", [](const House& h) {
-    const SurfaceTree tree(h.film);
-    std::vector<Index> triangle(h.sites.size());
-    parallel_each(triangle.size(), [&](std::size_t i) { triangle[i] = tree.nearest(h.sites[i]).triangle; });
+  stage("nearest film point of every site", [](const Stages& s) {
+    const SurfaceTree tree(s.film);
+    std::vector<Index> triangle(s.sites.size());
+    parallel_each(triangle.size(), [&](std::size_t i) { triangle[i] = tree.nearest(s.sites[i]).triangle; });
     return triangle.size();
   });
-  room("self-check: quality",
-       [](const House& h) { return surface_quality(h.film, h.geometry).disagreement; });
-  room("self-check: orientation and manifold", [](const House& h) {
-    Surface film = h.film;
+  stage("self-check: quality",
+        [](const Stages& s) { return surface_quality(s.film, s.geometry).disagreement; });
+  stage("self-check: orientation and manifold", [](const Stages& s) {
+    Surface film = s.film;
     std::vector<Point> places;
     for (const Vec3& p : film.positions) places.push_back({p.x(), p.y(), p.z()});
     const SurfaceTopology topology(film.triangles, static_cast<Index>(film.positions.size()));
@@ -183,7 +183,7 @@ void register_rooms() {
 }  // namespace filmsticking
 
 int main(int argc, char** argv) {
-  filmsticking::register_rooms();
+  filmsticking::register_stages();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();

@@ -44,7 +44,7 @@ if(TARGET filmsticking_node)
   file(RELATIVE_PATH share_to_node /${ros_share} /${ros_lib}/filmsticking_node)
   file(CREATE_LINK ${share_to_node} ${PROJECT_BINARY_DIR}/filmsticking_node SYMBOLIC)
   install(FILES ${PROJECT_BINARY_DIR}/filmsticking_node DESTINATION ${ros_share} COMPONENT ros)
-  install(DIRECTORY launch DESTINATION ${ros_share} COMPONENT ros 
+  install(DIRECTORY launch DESTINATION ${ros_share} COMPONENT ros
     PATTERN README.md EXCLUDE PATTERN rviz.png EXCLUDE)
   install(FILES tests/data/spot_10k.pcd DESTINATION ${ros_share}/tests/data COMPONENT ros)
   install(FILES package.xml DESTINATION ${ros_share} COMPONENT ros)

@@ -207,7 +207,8 @@ class Node {
     const std::shared_ptr<const LiveOutcome> outcome = mesher_.last_mesh();
     try {
       if (!outcome) throw io::IoError("there is no mesh yet");
-      if (!io::can_write_mesh(path)) throw io::IoError("its extension is none of .ply .obj .stl .vtk .glb");
+      if (!io::can_write_mesh(path))
+        throw io::IoError("its extension is none of " + io::extensions_of(io::mesh_formats()));
       io::write_mesh(path, outcome->mesh);
       response.success = true;
       response.message = "wrote " + std::filesystem::absolute(path).string();

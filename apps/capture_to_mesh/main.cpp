@@ -84,7 +84,8 @@ void check_outputs(const CommandLine& command) {
   for (const std::string& file : {command.output, command.save_cloud})
     if (!file.empty())
       with_file(file, [&] {
-        if (!io::can_write_mesh(file)) throw io::IoError("its extension is none of .ply .obj .stl .vtk .glb");
+        if (!io::can_write_mesh(file))
+          throw io::IoError("its extension is none of " + io::extensions_of(io::mesh_formats()));
         io::check_writable(file);
       });
   if (!command.save_cloud.empty() && io::extension_of(command.save_cloud) != ".ply")

@@ -51,7 +51,7 @@ void add_film(Arguments& arguments, Options& options) {
   arguments.flag("--no-insert", "leave out the points that the mesh does not interpolate at the end",
                  options.insert_leftover, false);
   arguments.count("--max-steps", "N", "film steps before the first field", options.max_steps, 1);
-  arguments.count("--max-rounds", "N", "rounds of field and film", options.max_rounds, 1);
+  arguments.count("--max-rounds", "N", "rounds of field and cut", options.max_rounds, 1);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ void check_output(const Task& task, const CommandLine& command) {
     return;
   }
   if (!io::can_write_mesh(task.output))
-    throw io::IoError("its extension is none of .ply .obj .stl .vtk .glb");
+    throw io::IoError("its extension is none of " + io::extensions_of(io::mesh_formats()));
   std::error_code error;
   if (fs::equivalent(task.input, task.output, error)) throw io::IoError("it is the input");
   io::check_writable(task.output);

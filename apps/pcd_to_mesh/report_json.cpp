@@ -17,7 +17,7 @@ Json to_json(const StepRecord& step) {
           {"seconds", step.seconds}};
 }
 
-Json to_json(const RoomSeconds& room) { return {{"room", room.room}, {"seconds", room.seconds}}; }
+Json to_json(const RoomSeconds& stage) { return {{"room", stage.room}, {"seconds", stage.seconds}}; }
 
 template <typename Record>
 Json to_list(const std::vector<Record>& records) {

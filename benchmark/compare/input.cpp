@@ -32,7 +32,7 @@ std::vector<Input> make_inputs(const std::vector<std::string>& words) {
     const Input input = is_shape(word) ? Input{word, ""} : Input{fs::path(word).stem().string(), word};
     if (!names.insert(input.name).second)
       throw std::runtime_error("two inputs have the name " + input.name +
-                               ", so the table cannot tell them apart");
+                               ", so the table cannot distinguish them");
     inputs.push_back(input);
   }
   return inputs;

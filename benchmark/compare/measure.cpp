@@ -51,10 +51,10 @@ void set_timings(Row& row, const Json& json) {
   const double taken = json.at("memory_mb").get<double>() - json.at("memory_before_mb").get<double>();
   row.set("bytes_per_point",
           std::to_string(static_cast<long long>(1e6 * taken / json.at("points").get<double>())));
-  std::string rooms;
-  for (const auto& [room, seconds] : json.at("rooms").items())
-    rooms += (rooms.empty() ? "" : ";") + room + "=" + cell(seconds);
-  row.set("rooms", rooms);
+  std::string stages;
+  for (const auto& [stage, seconds] : json.at("rooms").items())
+    stages += (stages.empty() ? "" : ";") + stage + "=" + cell(seconds);
+  row.set("rooms", stages);
 }
 
 void set_judgement(Row& row, const CloudFiles& files, const std::string& mesh) {

@@ -7,7 +7,7 @@
 
 namespace filmsticking::bench {
 
-/// The path of a program that lies beside this one.
+/// The path of a program in the folder of this one.
 std::string sibling_program(const std::string& name);
 
 /// A method and the program that holds it.
@@ -17,7 +17,7 @@ struct MethodEntry {
   bool makes_mesh = true;
 };
 
-/// All methods there are, by name: those of run_method and, where it was built, of run_method_open3d. Throws
+/// All methods by name, of run_method and, where it was built, of run_method_open3d. Throws
 /// std::runtime_error without run_method.
 std::map<std::string, MethodEntry> find_methods();
 

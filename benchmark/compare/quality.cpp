@@ -96,12 +96,12 @@ class QualityRun {
       const Row row = measure(*files, method, entries_.at(method), mesh, measurement_);
       results_.add(row);
       rows_[index].push_back(row);
-      tell(row);
+      print(row);
     }
     if (!keep_ && files) std::filesystem::remove_all(folder);
   }
 
-  void tell(const Row& row) {
+  void print(const Row& row) {
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto show = [&](const char* column) { return rounded(row.number(column), 3); };
     std::fprintf(stderr, "%s, %s, %s points, seed %s: %s: %s%s%s; %s s, Chamfer %s, interpolated %s %%\n",

@@ -45,20 +45,20 @@ class Board {
     return median(values);
   }
 
-  /// The rooms of the run whose time is the median (the lower of the two middle ones).
-  std::vector<std::pair<std::string, double>> rooms(const Series& series, double points) const {
+  /// The stages of the run whose time is the median (the lower of the two middle ones).
+  std::vector<std::pair<std::string, double>> stages(const Series& series, double points) const {
     std::vector<const Row*> all = runs(series, points);
     if (all.empty()) return {};
     std::sort(all.begin(), all.end(),
               [](const Row* a, const Row* b) { return a->number("seconds") < b->number("seconds"); });
-    std::vector<std::pair<std::string, double>> rooms;
+    std::vector<std::pair<std::string, double>> stages;
     std::istringstream list(all[(all.size() - 1) / 2]->text("rooms"));
     for (std::string entry; std::getline(list, entry, ';');) {
       const std::size_t at = entry.rfind('=');
       if (at != std::string::npos)
-        rooms.emplace_back(entry.substr(0, at), std::strtod(entry.c_str() + at + 1, nullptr));
+        stages.emplace_back(entry.substr(0, at), std::strtod(entry.c_str() + at + 1, nullptr));
     }
-    return rooms;
+    return stages;
   }
 
  private:
@@ -106,26 +106,26 @@ std::string growth_table(const Board& board, const std::vector<Series>& series) 
          markdown_table(table) + "\n";
 }
 
-std::string room_table(const Board& board, const Series& series) {
+std::string stage_table(const Board& board, const Series& series) {
   std::vector<std::string> names;
   for (const double points : board.sizes())
-    for (const auto& room : board.rooms(series, points))
-      if (std::find(names.begin(), names.end(), room.first) == names.end()) names.push_back(room.first);
+    for (const auto& stage : board.stages(series, points))
+      if (std::find(names.begin(), names.end(), stage.first) == names.end()) names.push_back(stage.first);
   if (names.empty()) return "";
-  std::vector<std::vector<std::string>> table = {{"room"}};
+  std::vector<std::vector<std::string>> table = {{"stage"}};
   for (const double points : board.sizes()) table[0].push_back(size_text(points));
   for (const std::string& name : names) {
     table.push_back({name});
     for (const double points : board.sizes()) {
       double all = 0, own = 0;
-      for (const auto& [room, seconds] : board.rooms(series, points)) {
+      for (const auto& [stage, seconds] : board.stages(series, points)) {
         all += seconds;
-        if (room == name) own += seconds;
+        if (stage == name) own += seconds;
       }
       table.back().push_back(all > 0 ? rounded(100 * own / all, 3) : "-");
     }
   }
-  return "Rooms of " + title_of(series) + ", % of the time in all of them, by points.\n\n" +
+  return "Stages of " + title_of(series) + ", % of the time in all of them, by points.\n\n" +
          markdown_table(table) + "\n";
 }
 
@@ -169,7 +169,7 @@ std::string speed_tables(const std::vector<Row>& rows, const std::vector<Series>
         board, series, "Memory in bytes a point: the peak less what the process held before.",
         [&](const Series& one, double points) { return board.median_of(one, points, "bytes_per_point"); });
     text += growth_table(board, series);
-    for (const Series& one : series) text += room_table(board, one);
+    for (const Series& one : series) text += stage_table(board, one);
   }
   return text;
 }

@@ -10,7 +10,7 @@ const std::vector<Method>& methods() {
       {"ours", "FilmstickingPP with its defaults", true, run_ours},
       {"ours-paper", "FilmstickingPP with the paper's own pipeline", true, run_ours_paper},
       {"ours-open", "FilmstickingPP with the faces left out that no points support", true, run_ours_open},
-      {"ours-open-origin", "the same, told that all was seen from the origin, as in depth-frame", true,
+      {"ours-open-origin", "the same, with the origin as viewpoint, as in depth-frame", true,
        run_ours_open_origin},
       {"cgal-advancing-front", "CGAL Advancing_front_surface_reconstruction", true, run_cgal_advancing_front},
       {"cgal-alpha-wrap", "CGAL alpha_wrap_3: alpha 3 spacings, offset alpha / 100", true,

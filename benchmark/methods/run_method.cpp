@@ -8,8 +8,8 @@
 #include <cstring>
 #include <fstream>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
 #include <string>
 
 #include "io/formats.h"
@@ -68,20 +68,19 @@ int run(const Method& method, const std::string& cloud_path, const std::string& 
     if (outcome.mesh.triangles.empty()) throw std::runtime_error("it made no triangles");
     io::write_mesh(mesh_path, io::make_cloud(outcome.mesh.positions), outcome.mesh.triangles);
   }
-  std::ostringstream json;
-  json.imbue(std::locale::classic());
-  json.precision(9);
-  json << "{\"method\": \"" << method.name << "\", \"points\": " << points.size()
-       << ", \"seconds\": " << outcome.seconds
-       << ", \"seconds_with_needs\": " << outcome.seconds + outcome.needs_seconds
-       << ", \"cpu_seconds\": " << cpu << ", \"memory_mb\": " << peak
-       << ", \"memory_before_mb\": " << memory_before << ", \"rooms\": {";
-  for (std::size_t i = 0; i < outcome.rooms.size(); ++i)
-    json << (i > 0 ? ", " : "") << "\"" << outcome.rooms[i].room << "\": " << outcome.rooms[i].seconds;
-  json << "}}";
+  nlohmann::ordered_json stages = nlohmann::ordered_json::object();
+  for (const RoomSeconds& stage : outcome.rooms) stages[stage.room] = stage.seconds;
+  const nlohmann::ordered_json json = {{"method", method.name},
+                                       {"points", points.size()},
+                                       {"seconds", outcome.seconds},
+                                       {"seconds_with_needs", outcome.seconds + outcome.needs_seconds},
+                                       {"cpu_seconds", cpu},
+                                       {"memory_mb", peak},
+                                       {"memory_before_mb", memory_before},
+                                       {"rooms", stages}};
   // The last line, as some libraries print too.
   std::fflush(stdout);
-  std::printf("%s\n", json.str().c_str());
+  std::printf("%s\n", json.dump().c_str());
   return 0;
 }
 
@@ -96,8 +95,7 @@ int main(int argc, char** argv) {
   }
   const Method* method = find_method(argv[1]);
   if (!method) {
-    std::fprintf(stderr, "run_method: there is no method \"%s\" here; --list tells those there are.\n",
-                 argv[1]);
+    std::fprintf(stderr, "run_method: there is no method \"%s\" here; --list prints the methods.\n", argv[1]);
     return kWrongUsage;
   }
   try {

@@ -20,7 +20,8 @@ struct StepRecord {
   double seconds = 0;  ///< wall time
 };
 
-/// Wall time of one stage.
+/// Wall time of one stage. The names `room` and `rooms` are those of older versions: callers and the readers
+/// of JSON reports use them.
 struct RoomSeconds {
   std::string room;    ///< name of the stage, as in Execution::progress
   double seconds = 0;  ///< in all its visits

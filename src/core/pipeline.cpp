@@ -96,11 +96,11 @@ constexpr double kMuchTrouble = 0.1;
 // Score of two sides over that of the first surface, which may have an inside. < 0.9: two sides are better.
 constexpr double kMuchBetter = 0.9;
 
-// Price in looseness() per fraction of near sites with opposite normals.
+// Price in open_surface_score() per fraction of near sites with opposite normals.
 constexpr double kConflictPrice = 2;
-// Price in looseness() of a handle, in sites off the surface.
+// Price in open_surface_score() of a handle, in sites off the surface.
 constexpr double kHandlePrice = 20;
-// Looseness by which a view may be worse than another surface and is still preferred.
+// open_surface_score() by which a view may be worse than another surface and is still preferred.
 constexpr double kLoose = 0.005;
 // Fraction of sites by which a view may have more off than another surface.
 constexpr double kFewMissed = 0.001;
@@ -110,7 +110,7 @@ constexpr double kSeenOpen = 0.4;
 // Disagreement (SurfaceQuality) of a view. > 0.15: it may run through both sides of a plate 0.4 spacings
 // thick.
 constexpr double kThinnest = 0.15;
-// Looseness of a closed view over that of the best closed surface. < 0.5: take the view.
+// closed_surface_score() of a closed view over that of the best closed surface. < 0.5: take the view.
 constexpr double kMuchPlainer = 0.5;
 
 // Handles of an open surface. > 3: it may be a thin wall, torn; try a closed surface.
@@ -169,15 +169,15 @@ double Pipeline::Candidate::score() const {
              sites;
 }
 
-// Compares open surfaces, whose faces may be rough: lower is better.
-double Pipeline::looseness(const SurfaceQuality& quality) const {
+// Faces may be rough, so their disagreement does not count. Lower is better.
+double Pipeline::open_surface_score(const SurfaceQuality& quality) const {
   return kConflictPrice * quality.conflict +
          (static_cast<double>(quality.off) + kHandlePrice * static_cast<double>(quality.handles)) /
              static_cast<double>(sites_.size());
 }
 
-// Compares closed surfaces: lower is better.
-double Pipeline::looseness_closed(const SurfaceQuality& quality) const {
+// Lower is better.
+double Pipeline::closed_surface_score(const SurfaceQuality& quality) const {
   return (static_cast<double>(quality.off) + kHandlePrice * static_cast<double>(quality.complexity)) /
          static_cast<double>(sites_.size());
 }
@@ -332,9 +332,9 @@ Surface Pipeline::surface_of(const std::vector<char>& labels, bool open) const {
   return surface;
 }
 
-// Moves that close chance gaps and open cavities. For the candidate that was chosen, since handles tell a bad
-// one; or for copies of two, to compare them. The result has no `hold`.
-Pipeline::Candidate Pipeline::without_gaps(Candidate candidate, Mend mend) {
+// Moves that close chance gaps and open cavities. For the candidate that was chosen, since handles reveal a
+// bad one; or for copies of two, to compare them. The result has no `hold`.
+Pipeline::Candidate Pipeline::mended(Candidate candidate, Mend mend) {
   if (candidate.labels.empty()) return candidate;
   monitor_.enter("gaps", monitor_.share());
   const LabelCosts costs{evidence_.cost, std::move(candidate.hold), off_prices()};
@@ -350,10 +350,10 @@ Pipeline::Candidate Pipeline::without_gaps(Candidate candidate, Mend mend) {
   if (options_.insert_leftover) reach(labelling);
   candidate.inserted += labelling.counts.reached;
   candidate.surface = surface_of(candidate.labels, candidate.open);
-  return judged(std::move(candidate));
+  return measured(std::move(candidate));
 }
 
-Pipeline::Candidate Pipeline::judged(Candidate candidate) const {
+Pipeline::Candidate Pipeline::measured(Candidate candidate) const {
   candidate.quality = surface_quality(candidate.surface, geometry_);
   return candidate;
 }
@@ -411,7 +411,7 @@ Surface Pipeline::around_one_tetrahedron() {
 }
 
 // Is there nothing to remove and nothing to correct?
-bool Pipeline::settled(const Candidate& candidate) {
+bool Pipeline::needs_no_round(const Candidate& candidate) {
   return candidate.inserted == 0 && candidate.quality.off == 0 && candidate.quality.wide_faces == 0;
 }
 
@@ -431,15 +431,15 @@ Pipeline::Candidate Pipeline::refined(Candidate best) {
     monitor_.enter("signed field", monitor_.share());
     std::vector<double> guess(mesh_.size());
     for (std::size_t t = 0; t < guess.size(); ++t) guess[t] = best.labels[t] ? 1 : -1;
-    Candidate next = judged(
+    Candidate next = measured(
         cut(signed_field(mesh_, evidence_, std::move(guess), monitor_.cancel()), kConviction, best.open));
     const double given_up = static_cast<double>(next.quality.off - best.quality.off);
     if (!(next.score() < best.score()) || given_up > kGivenUp * static_cast<double>(sites_.size())) break;
     // A chance gap is no leak, so gaps are filled before the comparison; in copies, because a surface with
     // filled gaps would keep the errors beside them in the next cut.
     if (next.quality.complexity > best.quality.complexity) {
-      const std::int64_t filled = without_gaps(next).quality.complexity;
-      if (filled > 1 && filled > without_gaps(best).quality.complexity) break;
+      const std::int64_t filled = mended(next).quality.complexity;
+      if (filled > 1 && filled > mended(best).quality.complexity) break;
     }
     best = std::move(next);
   }
@@ -449,7 +449,7 @@ Pipeline::Candidate Pipeline::refined(Candidate best) {
 Pipeline::Candidate Pipeline::cut_sides(const RimRule& rim, const Vec3* viewpoint, bool open,
                                         bool reaches_infinity) {
   monitor_.enter("two sides", monitor_.share());
-  return judged(
+  return measured(
       cut(two_sides(mesh_, sites_.perturbed, evidence_, geometry_, rim, viewpoint, monitor_.cancel()),
           kSidesConviction, open, reaches_infinity));
 }
@@ -515,16 +515,16 @@ bool Pipeline::is_better_view(const DepthImage& image, Surface found) const {
   open.surface = std::move(found);
   remove_bridges(open.surface, geometry_);
   if (odd_crossing_share(open.surface, image.viewpoint, monitor_.cancel()) < kSeenOpen) return false;
-  const SurfaceQuality other = judged(std::move(open)).quality;
+  const SurfaceQuality other = measured(std::move(open)).quality;
   const double off = static_cast<double>(std::max<std::int64_t>(0, image.quality.off - other.off));
   return off <= kFewMissed * static_cast<double>(sites_.size()) &&
-         looseness(image.quality) < looseness(other) + kLoose;
+         open_surface_score(image.quality) < open_surface_score(other) + kLoose;
 }
 
 // Inside is what is behind a depth image. Its gaps are those of its steps in depth.
 Pipeline::Candidate Pipeline::cut_image(const Vec3& viewpoint) {
   const std::vector<double> sides = depth_image_sides(mesh_, sites_.perturbed, viewpoint, monitor_.cancel());
-  return without_gaps(judged(cut(sides, kConviction, open_)), Mend::Plugs);
+  return mended(measured(cut(sides, kConviction, open_)), Mend::Plugs);
 }
 
 // Method::Labelling. First by local evidence alone; if that cut misses many sites, by other starts too. A
@@ -533,10 +533,10 @@ Pipeline::Candidate Pipeline::labelling(std::vector<double> guess) {
   monitor_.enter("signed field", 0.25);
   Candidate best =
       cut(signed_field(mesh_, evidence_, std::move(guess), monitor_.cancel()), kConviction, open_);
-  best = judged(std::move(best));
+  best = measured(std::move(best));
   if (best.missed <= kLittleTrouble && !best.surface.triangles.empty()) {
     // With a handle or a second component it may have walls, if no thin ones.
-    if (best.quality.complexity > 1) best = without_gaps(std::move(best), Mend::Plugs);
+    if (best.quality.complexity > 1) best = mended(std::move(best), Mend::Plugs);
     return best;
   }
   if (best.missed <= kSomeTrouble) return carve_further(std::move(best), false);
@@ -569,7 +569,7 @@ Pipeline::Candidate Pipeline::labelling(std::vector<double> guess) {
   best = with_sides(std::move(best), std::move(sides));
   if (!view) return best;
   Candidate seen = by_view();
-  const bool plainer = looseness_closed(seen.quality) < kMuchPlainer * looseness_closed(best.quality);
+  const bool plainer = closed_surface_score(seen.quality) < kMuchPlainer * closed_surface_score(best.quality);
   return has_shape(seen) && plainer ? std::move(seen) : std::move(best);
 }
 
@@ -580,10 +580,10 @@ Pipeline::Candidate Pipeline::closed_if_torn(Candidate open, Candidate closed) {
   if (open.quality.handles <= kWhole) return open;
   closed.open = false;
   if (!closed.labels.empty())
-    closed.surface = surface_of(closed.labels, false), closed = judged(std::move(closed));
+    closed.surface = surface_of(closed.labels, false), closed = measured(std::move(closed));
   bool two_sided = false;
   closed = by_widths(std::move(closed), two_sided);
-  if (closed.score() < open.score()) closed = without_gaps(refined(std::move(closed)));
+  if (closed.score() < open.score()) closed = mended(refined(std::move(closed)));
   const bool whole = closed.score() < kFarBetter * open.score() && closed.quality.off <= open.quality.off &&
                      kTorn * closed.quality.complexity <= open.quality.handles;
   return whole ? std::move(closed) : std::move(open);
@@ -606,7 +606,7 @@ Pipeline::Candidate Pipeline::with_sides(Candidate best, Candidate sides) {
   const bool plain =
       open && sides.missed <= kPlainMissed && complexity <= kPlainComplex &&
       sides.quality.conflict < (no_inside ? kPlainConflict : kFarLessConflict) * best.quality.conflict;
-  if (best_open || plain) return open_ ? std::move(sides) : without_gaps(std::move(sides));
+  if (best_open || plain) return open_ ? std::move(sides) : mended(std::move(sides));
   const bool two_sided = complexity <= kMostComplex && better;
   return carve_further(two_sided ? std::move(sides) : std::move(best), two_sided);
 }
@@ -618,18 +618,18 @@ Pipeline::Candidate Pipeline::by_widths(Candidate best, bool& two_sided) {
     // Measured: no better than two sides for slabs and shells, and as slow as the others together.
     if (two_sided && carving.conviction > kConviction) continue;
     monitor_.enter("carving", monitor_.share());
-    Candidate other = judged(cut(ball_belief(carving.width, kCarveSlope), carving.conviction, best.open));
+    Candidate other = measured(cut(ball_belief(carving.width, kCarveSlope), carving.conviction, best.open));
     if (other.score() < carving.share * best.score()) best = std::move(other), two_sided = false;
   }
   return best;
 }
 
 // Carves, then cuts the best again by its own normals. If many sites are still off, because inside and
-// outside cannot be told apart, also tries the film from the sphere.
+// outside cannot be distinguished, also tries the film from the sphere.
 Pipeline::Candidate Pipeline::carve_further(Candidate best, bool two_sided) {
   best = by_widths(std::move(best), two_sided);
   if (!two_sided) best = refined(std::move(best));
-  best = without_gaps(std::move(best));
+  best = mended(std::move(best));
   const auto enough = static_cast<std::int64_t>(kMuchTrouble * static_cast<double>(sites_.size()));
   if (!best.surface.triangles.empty() && best.quality.off <= enough) return best;
   Candidate film = with_insertions(film_from_outside());
@@ -707,12 +707,12 @@ std::vector<Vec3> Pipeline::with_virtual_sites(const Surface& film) const {
 
 void Pipeline::rounds(Candidate& best) {
   if (options_.field == FieldMethod::None) return;
-  for (int round = 0; round < options_.max_rounds && !settled(best); ++round) {
+  for (int round = 0; round < options_.max_rounds && !needs_no_round(best); ++round) {
     ++report_.rounds;
     monitor_.enter("field", 0.5 + 0.45 * round / options_.max_rounds);
     const std::vector<double> belief = film_belief(best.surface);
     // Poisson's surface is taken as it is; only sculpting weighs it against the evidence.
-    Candidate next = judged(cut(belief, options_.field == FieldMethod::Poisson ? 1e6 : kConviction, open_));
+    Candidate next = measured(cut(belief, options_.field == FieldMethod::Poisson ? 1e6 : kConviction, open_));
     // The first round is the paper's, whatever its score; the others must improve it.
     if (next.surface.triangles.empty() || (round > 0 && !(next.score() < best.score()))) break;
     best = std::move(next);

@@ -33,12 +33,12 @@ class Pipeline {
   Pipeline(const PointsView& points, const SiteSet& sites, const SiteGeometry& geometry,
            const Options& options, Monitor& monitor, Report& report);
 
-  /// The surface of the sites by Options::method. Closed unless Options::open_boundary. Once only.
-  /// `tetrahedra`: the Delaunay triangulation of the perturbed sites.
+  /// Returns a closed manifold; with Options::open_boundary it may have a boundary. Empty if no surface is
+  /// found. Once only. `tetrahedra`: the Delaunay triangulation of the perturbed sites.
   FoundSurface run(Tetrahedra tetrahedra);
 
-  /// Without a triangulation, instead of run(): the open surface of a depth image; nothing if the sites are
-  /// none.
+  /// Instead of run(): returns the open surface of a depth image without triangulating; returns nothing if
+  /// the sites form no depth image.
   std::optional<FoundSurface> visible_surface();
 
   /// The last resort, after run(): the tetrahedron of largest volume, grown to the sites that it reaches. A
@@ -48,20 +48,23 @@ class Pipeline {
  private:
   struct Candidate {
     Surface surface;
-    bool open = false;                ///< bridge faces are removed from the surface
-    SurfaceQuality quality;           ///< after insertion
-    std::int64_t inserted = 0;        ///< sites that joined the surface at the end, by insertion or moves
-    double missed = 0;                ///< fraction of the sites that the first cut left off
-    std::vector<char> labels;         ///< [tetrahedron]: 1 inside; empty if there was no cut
-    std::vector<double> hold;         ///< [tetrahedron]: the price of its label (LabelCosts)
+    bool open = false;          ///< bridge faces are removed from the surface
+    SurfaceQuality quality;     ///< after insertion
+    std::int64_t inserted = 0;  ///< sites that joined the surface at the end, by insertion or moves
+    double missed = 0;          ///< fraction of the sites that the first cut missed
+    std::vector<char> labels;   ///< [tetrahedron]: 1 inside; empty if there was no cut
+    /// [tetrahedron]: the penalty of the label that its sign opposes; positive favours inside, negative
+    /// favours outside (LabelCosts).
+    std::vector<double> hold;
     std::optional<Vec3> viewpoint{};  ///< of a depth image
     double score() const;             ///< lower is better
   };
   // The labels of several cuts by one belief.
   struct Cuts {
-    std::vector<char> first, best;  ///< of the first that keeps most sites; of that which keeps most
-    double missed = 0;              ///< fraction of the sites that the first of all left off
-    bool has_shape = false;         ///< the best keeps at least half of the sites
+    /// `first`: the first cut that keeps 80 % of the sites, else the best. `best`: the cut that keeps most.
+    std::vector<char> first, best;
+    double missed = 0;       ///< fraction of the sites that the first of all cuts missed
+    bool has_shape = false;  ///< the best keeps at least half of the sites
   };
   enum class Mend {
     Plugs,  ///< only plugs: quick
@@ -88,7 +91,7 @@ class Pipeline {
   Candidate by_widths(Candidate best, bool& two_sided);
   Candidate carve_further(Candidate best, bool two_sided);
   Candidate refined(Candidate best);
-  Candidate without_gaps(Candidate candidate, Mend mend = Mend::All);
+  Candidate mended(Candidate candidate, Mend mend = Mend::All);
   Surface surface_of(const std::vector<char>& labels, bool open) const;
   std::vector<char> exempt(const std::vector<char>& labels, bool open) const;
 
@@ -100,11 +103,11 @@ class Pipeline {
   bool is_better_view(const DepthImage& image, Surface found) const;
 
   // Comparisons.
-  Candidate judged(Candidate candidate) const;
-  double looseness(const SurfaceQuality& quality) const;
-  double looseness_closed(const SurfaceQuality& quality) const;
+  Candidate measured(Candidate candidate) const;
+  double open_surface_score(const SurfaceQuality& quality) const;    // lower is better
+  double closed_surface_score(const SurfaceQuality& quality) const;  // lower is better
   static bool has_shape(const Candidate& candidate);
-  static bool settled(const Candidate& candidate);
+  static bool needs_no_round(const Candidate& candidate);
 
   // The paper's film.
   std::vector<std::function<Surface()>> first_films() const;

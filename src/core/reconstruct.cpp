@@ -46,7 +46,7 @@ Tetrahedra triangulation_of(const SiteSet& sites, const TriangulationLimits& lim
   }
 }
 
-// The page of stages.
+// Runs all stages in order. Throws Failure, Cancelled or CallbackThrew.
 void run(const PointsView& points, const Options& options, const Execution& execution, Result& result) {
   Report& report = result.report;
   report.points = static_cast<std::int64_t>(points.size());

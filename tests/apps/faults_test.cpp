@@ -101,12 +101,12 @@ TEST(Faults, FilesThatEndTooSoonGiveAMessageEachAndNoMesh) {
 TEST(Faults, AFullDiskIsSaidAndNothingIsLeft) {
   const ScratchFolder folder;
   fs::create_directory(folder / "disk");
-  const std::string in_room_of_its_own = "unshare --mount --map-root-user sh -c '";
-  if (shell(in_room_of_its_own + "mount -t tmpfs -o size=64k none " + (folder / "disk") + "'").status != 0)
+  const std::string with_own_mounts = "unshare --mount --map-root-user sh -c '";
+  if (shell(with_own_mounts + "mount -t tmpfs -o size=64k none " + (folder / "disk") + "'").status != 0)
     GTEST_SKIP() << "no file system can be mounted here";
   // The old mesh stays as it is, too.
   const Outcome outcome =
-      shell(in_room_of_its_own + "cd " + folder.path().string() +
+      shell(with_own_mounts + "cd " + folder.path().string() +
             " && mount -t tmpfs -o size=64k none disk && cd disk && echo old > mesh.ply && " PCD_TO_MESH " " +
             kSpot + " mesh.ply; echo $?; ls -A; cat mesh.ply'");
   EXPECT_EQ(outcome.out, "1\nmesh.ply\nold\n");
@@ -114,7 +114,7 @@ TEST(Faults, AFullDiskIsSaidAndNothingIsLeft) {
       << outcome.err;
 }
 
-/// Waits until a program is told of SIGTERM and does not just end by it.
+/// Waits until a program has a handler of SIGTERM.
 void wait_for_handler(pid_t program) {
   for (int i = 0; i < 6000; ++i) {
     std::ifstream status("/proc/" + std::to_string(program) + "/status");

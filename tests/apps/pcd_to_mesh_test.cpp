@@ -105,7 +105,7 @@ TEST(PcdToMesh, MakesAMeshOfSpot) {
   EXPECT_GT(report.at("peak_memory_bytes").get<double>(), 1e6);
   EXPECT_EQ(report.at("steps").size(), 0u);  // a carved surface needs no film steps
   ASSERT_GT(report.at("rooms").size(), 0u);
-  for (const Json& room : report.at("rooms")) EXPECT_NE(room.at("room").get<std::string>(), "");
+  for (const Json& stage : report.at("rooms")) EXPECT_NE(stage.at("room").get<std::string>(), "");
 }
 
 TEST(PcdToMesh, ReadsEveryFormatToTheSameMesh) {

@@ -213,7 +213,7 @@ TEST(Compare, Speed) {
   }
   const std::string tables = read_text(folder / "out.md");
   for (const char* part :
-       {"| ours, all threads |", "| ours, 1 thread |", "exponent of growth", "Rooms of ours"})
+       {"| ours, all threads |", "| ours, 1 thread |", "exponent of growth", "Stages of ours"})
     EXPECT_NE(tables.find(part), std::string::npos) << part;
 }
 

@@ -119,7 +119,7 @@ Sources read_sources() {
   return sources;
 }
 
-TEST(Layers, NoIncludeLeadsUpward) {
+TEST(Includes, NoIncludeLeadsUpward) {
   const Sources sources = read_sources();
   EXPECT_GT(sources.size(), 150U);
   std::size_t arrows = 0;
@@ -129,7 +129,7 @@ TEST(Layers, NoIncludeLeadsUpward) {
   for (const std::string& fault : faults(sources)) ADD_FAILURE() << fault;
 }
 
-TEST(Layers, AnArrowUpwardIsSeen) {
+TEST(Includes, AnArrowUpwardIsSeen) {
   const Sources fine = {
       {"src/core/geometry/vec.h", "#include <vector>\n"},
       {"src/core/labelling/cut.h", "#include \"geometry/vec.h\"\n#include \"labelling/cut.h\"\n"},
@@ -175,7 +175,7 @@ std::set<std::string> without_test(const std::set<std::string>& files) {
   return missing;
 }
 
-TEST(Layers, EveryCoreSourceHasItsTest) {
+TEST(Includes, EveryCoreSourceHasItsTest) {
   std::set<std::string> files;
   const fs::path root(SOURCE_ROOT);
   for (const char* folder : {"src/core", "tests/core"})
@@ -191,7 +191,7 @@ TEST(Layers, EveryCoreSourceHasItsTest) {
     if (missing.count(name) == 0) ADD_FAILURE() << name << " needs no exception";
 }
 
-TEST(Layers, ASourceWithoutATestIsSeen) {
+TEST(Includes, ASourceWithoutATestIsSeen) {
   EXPECT_EQ(
       without_test({"src/core/geometry/a.h", "src/core/geometry/a.cpp", "src/core/b.cpp",
                     "src/core/CMakeLists.txt", "tests/core/geometry/a_test.cpp", "tests/core/a_test.cpp"}),

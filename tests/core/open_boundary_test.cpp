@@ -255,7 +255,7 @@ TEST(OpenBoundary, AThinClosedShellIsNotTakenForASheet) {
 
 TEST(OpenBoundary, Regression_AFunnelOfAThinWallGotALid) {
   // Two funnels joined at their necks, the wall a fifth as thick as the points are apart: its sides cannot be
-  // told apart, but what closes the mouths is supported by nothing.
+  // distinguished, but what closes the mouths is supported by nothing.
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -302,7 +302,7 @@ TEST(OpenBoundary, GapsAreSmallOnASampledSurfaceAndLargeAcrossAHole) {
   EXPECT_GT(*std::max_element(part.gaps.begin(), part.gaps.end()), 8);
 }
 
-// What comes out closed although it might be open is turned as any closed surface is.
+// A surface that is closed although it might be open is oriented as any closed surface.
 TEST(OpenBoundary, AClosedOneEnclosesPositiveVolume) {
   int closed = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {

@@ -223,7 +223,7 @@ TEST(Pipeline, TheLastResortEnclosesTheLargestTetrahedron) {
   const Surface around = flat.pipeline.around_one_tetrahedron();
   EXPECT_TRUE(test::check(around).ok());
   EXPECT_GE(around.site.size(), 4U);
-  EXPECT_GT(std::abs(signed_volume6(around)), 0);
+  EXPECT_GT(std::abs(test::signed_volume6(around)), 0);
 }
 
 }  // namespace

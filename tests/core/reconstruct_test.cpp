@@ -403,10 +403,10 @@ TEST(Reconstruct, ProgressRisesAndCancelStops) {
     double last = 0;
     Execution execution;
     execution.cancel = &cancel;
-    execution.progress = [&](double share, const char* room) {
+    execution.progress = [&](double share, const char* stage) {
       EXPECT_GE(share, last);
       EXPECT_LE(share, 1);
-      EXPECT_NE(room, nullptr);
+      EXPECT_NE(stage, nullptr);
       last = share;
       if (++calls > stop_at) cancel = true;
     };

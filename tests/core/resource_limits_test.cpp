@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What reconstruct() does where memory, time or patience are short.
+// reconstruct() when memory or time are short, or the caller cancels.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -163,7 +163,7 @@ TEST(Limits, SurfacesAreFarFromTheBound) {
   }
 }
 
-TEST(Limits, TooLittleMemoryIsToldBeforeItIsTaken) {
+TEST(Limits, TooLittleMemoryIsReportedBeforeItIsTaken) {
   const auto points = test::torus(5000, 1);
   Options options;
   for (const std::int64_t bytes : {std::int64_t{1}, std::int64_t{400000}, std::int64_t{4000000}}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same bytes by any number of threads, and by several reconstructions at once. Under ThreadSanitizer,
-// too: .ci/threads.
+// The same bytes with any number of threads, and from several reconstructions at once. .ci/threads runs
+// these tests under ThreadSanitizer.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -76,7 +76,7 @@ void expect_same(const Result& one, const Result& other) {
 }
 
 TEST(Threads, OneTwoAndEightGiveTheSameBytes) {
-  // Else no more threads take part than the machine has processors.
+  // Without this, TBB starts no more threads than the machine has processors.
   const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
   std::mutex guard;
   std::set<std::thread::id> seen;
@@ -133,7 +133,7 @@ TEST(Threads, CancellingOneLeavesTheOthersAlone) {
   std::thread first([&] {
     Execution execution;
     execution.cancel = &cancel;
-    // Raised from another thread while this one works on.
+    // Set by another thread, while this one goes on.
     std::thread hand;
     execution.progress = [&](double, const char*) {
       if (!hand.joinable()) hand = std::thread([&] { cancel = true; });

@@ -22,7 +22,7 @@ trap 'dpkg --purge $packages >/dev/null 2>&1 || true' EXIT
 dpkg --install ./*.deb
 files=$(for package in $packages; do dpkg --listfiles "$package"; done | sort -u)
 c++ -std=c++17 "$project/core_only.cpp" -o core_only $(pkg-config --cflags --libs filmsticking_core)
-./core_only  # the loader finds the library: nothing was told where it is
+./core_only  # the loader finds the library without a path to it
 if [ -x /usr/bin/pcd_to_mesh ]; then /usr/bin/pcd_to_mesh "$cloud" "$out/mesh.ply" && [ -s "$out/mesh.ply" ]; fi
 
 dpkg --remove $packages

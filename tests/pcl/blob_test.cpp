@@ -120,7 +120,7 @@ TEST(Blob, MakesTheSurfaceThatItsCloudMakes) {
   EXPECT_EQ(from_blob.getVertexIndices(), from_cloud.getVertexIndices());
 }
 
-/// The fields x, y and z where `places` tells.
+/// The fields x, y and z at the offsets `places`.
 PCLPointCloud2::Ptr with_coordinates_at(const PCLPointCloud2& blob, std::array<std::size_t, 3> places) {
   PCLPointCloud2::Ptr moved(new PCLPointCloud2(blob));
   for (std::size_t k = 0; k < 3; ++k) moved->fields[1 + k].offset = static_cast<pcl::uindex_t>(places[k]);
@@ -290,6 +290,7 @@ TEST(Blob, OneThatCannotBeReadFails) {
     edit(*blob);
     expect_refused(blob);
   };
+  change([](PCLPointCloud2& b) { b.is_bigendian = 1; });
   change([](PCLPointCloud2& b) { b.fields[2].name = "q"; });
   change([](PCLPointCloud2& b) { b.fields[1].datatype = PCLPointField::FLOAT64; });
   change([](PCLPointCloud2& b) { b.fields[3].offset = kStep - 2; });

@@ -18,8 +18,8 @@ TEST(FilmstickingPP, ProgressNeverFalls) {
   filmsticking.setInputCloud(make_sphere<PointXYZ>(300));
   const std::thread::id caller = std::this_thread::get_id();
   std::vector<double> shares;
-  filmsticking.setProgressCallback([&](double share, const char* room) {
-    EXPECT_NE(room, nullptr);
+  filmsticking.setProgressCallback([&](double share, const char* stage) {
+    EXPECT_NE(stage, nullptr);
     EXPECT_EQ(std::this_thread::get_id(), caller);
     shares.push_back(share);
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The contract of pcl::FilmstickingPP: what goes in and what comes out.
+// The contract of pcl::FilmstickingPP: its input and its output.
 #include <gtest/gtest.h>
 #include <pcl/conversions.h>
 #include <pcl/search/kdtree.h>

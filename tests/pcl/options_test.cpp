@@ -103,7 +103,7 @@ double fronts(const pcl::PointCloud<PointXYZ>& points, const std::vector<pcl::Ve
 }
 
 TEST(FilmstickingPP, ADepthImageFacesItsSensor) {
-  // A wall whose pixels are beside their places: only the viewpoint tells its front.
+  // A wall whose pixels are beside their places: only the viewpoint shows its front.
   pcl::PointCloud<PointXYZ>::Ptr wall(new pcl::PointCloud<PointXYZ>(40, 30));
   std::mt19937 random(1);
   const auto beside = [&] { return static_cast<float>(random() % 1000) / 2000 - 0.25F; };

@@ -18,7 +18,7 @@ std::vector<GridSet> grid_sets(int least, int most, bool classes);
 
 std::vector<Point> points_of(GridSet set);
 
-/// Do they lie on one plane? Decided in whole numbers.
+/// Are they on one plane? Decided in whole numbers.
 bool on_one_plane(GridSet set);
 
 }  // namespace filmsticking::test

@@ -21,7 +21,7 @@ struct Shape {
   bool operator==(const Shape& other) const { return status == other.status && faces == other.faces; }
 };
 
-/// `place` tells where a point of the input stands in the comparison.
+/// `place`: [point of the input]: its coordinates in the comparison.
 Shape shape_of(const Result& result, const std::vector<Point>& place) {
   Shape shape;
   shape.status = result.status;

@@ -80,7 +80,7 @@ std::vector<Point> shape(Random& random, int n) {
   return points;
 }
 
-/// Repeats of earlier points, some of them one number off.
+/// Repeats of earlier points, some with one coordinate changed.
 void repeat(Random& random, std::vector<Point>& points, bool exactly) {
   const std::size_t n = points.size();
   for (std::size_t i = 0; i < n; ++i) {

@@ -55,7 +55,7 @@ std::string fault_of(const Result& result, const std::vector<Point>& points, boo
       report.duplicates != all - non_finite - sites)
     return "the report counts the points wrongly";
   if ((sites < 4) != (result.status == Status::TooFewPoints))
-    return "TooFewPoints is not told where it should be, or where it should not";
+    return "TooFewPoints does not agree with the number of sites";
   switch (result.status) {
     case Status::Ok:
       break;

@@ -23,7 +23,7 @@ thread_local std::uint64_t at_work = 0;
 const char* sweep_name = "";
 
 /// Only what a signal handler may call. A crash in a thread of the library's own names the i of no worker: 0.
-void tell_crash(int signal) {
+void print_crash(int signal) {
   char text[128];
   const int length = std::snprintf(text, sizeof text, "%s %llu: signal %d\n", sweep_name,
                                    static_cast<unsigned long long>(at_work), signal);
@@ -43,11 +43,11 @@ struct Worker {
 int sweep(const std::string& name, std::uint64_t first, std::uint64_t last, int patience, int most,
           const std::function<std::string(std::uint64_t)>& fault) {
   sweep_name = name.c_str();
-  for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL}) std::signal(signal, tell_crash);
+  for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL}) std::signal(signal, print_crash);
   const auto begin = Clock::now();
   std::atomic<std::uint64_t> next{first};
   std::atomic<int> faults{0}, working{0};
-  std::mutex telling;  // guards the next two, and the output
+  std::mutex reporting;  // guards the next two, and the output
   Clock::duration longest{0};
   std::uint64_t slowest = first;
   std::vector<Worker> workers(std::max(1u, std::thread::hardware_concurrency()));
@@ -61,7 +61,7 @@ int sweep(const std::string& name, std::uint64_t first, std::uint64_t last, int 
         worker.since = Clock::now().time_since_epoch().count();
         const std::string wrong = fault(i);
         const auto took = Clock::now().time_since_epoch() - Clock::duration(worker.since.exchange(0));
-        const std::lock_guard<std::mutex> lock(telling);
+        const std::lock_guard<std::mutex> lock(reporting);
         if (took > longest) longest = took, slowest = i;
         if (wrong.empty()) continue;
         ++faults;

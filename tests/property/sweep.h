@@ -8,7 +8,7 @@
 namespace filmsticking::test {
 
 /// Calls fault(i) for every i from `first` to before `last`, by all processors, and prints each i for which
-/// it tells a fault. A crash or a hang (no end in `patience` seconds) prints its i and ends the program.
+/// it returns a text. A crash or a hang (no end in `patience` seconds) prints its i and ends the program.
 /// Returns how many faults there were; after `most` of them it stops.
 int sweep(const std::string& name, std::uint64_t first, std::uint64_t last, int patience, int most,
           const std::function<std::string(std::uint64_t)>& fault);

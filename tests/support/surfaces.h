@@ -39,6 +39,14 @@ inline std::vector<Index> twins_of(const Surface& surface) {
   return half_edge_twins(surface.triangles, static_cast<Index>(surface.positions.size()));
 }
 
+/// Six times the enclosed volume of a closed surface, positive if it is oriented outward.
+inline double signed_volume6(const Surface& surface) {
+  double sum = 0;
+  for (const Corners& t : surface.triangles)
+    sum += surface.positions[t[0]].dot(surface.positions[t[1]].cross(surface.positions[t[2]]));
+  return sum;
+}
+
 inline double area(const Surface& surface) {
   double sum = 0;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)

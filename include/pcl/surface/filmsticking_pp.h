@@ -98,8 +98,8 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
    * reconstruct(pcl::PolygonMesh&) then copies the bytes of every vertex and the layout of the fields from
    * the blob; the other reconstruct() converts the vertices as pcl::fromPCLPointCloud2() does. The blob is
    * read where it lies and must not change meanwhile; getInputCloud() is null.
-   * \param[in] blob points with fields x, y and z, all FLOAT32 or all FLOAT64; another kind is refused by
-   * reconstruct(). FLOAT64 is read with all its digits
+   * \param[in] blob points with fields x, y and z, all FLOAT32 or all FLOAT64, not big-endian; another kind
+   * is refused by reconstruct(). FLOAT64 is read with all its digits
    */
   void setInputBlob(const pcl::PCLPointCloud2::ConstPtr& blob);
 
@@ -122,13 +122,15 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   void setIndices(std::size_t row_start, std::size_t col_start, std::size_t nb_rows,
                   std::size_t nb_cols) override;
 
-  /** \brief Reconstruct the surface through the points given by setInputCloud() and setIndices().
+  /** \brief Reconstruct the surface through the points given by setInputCloud() or setInputBlob(), and
+   * setIndices().
    * \param[out] output the triangles, and a cloud with their vertices only, unorganized and dense; empty on
    * failure. The headers are the input's.
    */
   void reconstruct(pcl::PolygonMesh& output) override;
 
-  /** \brief Reconstruct the surface through the points given by setInputCloud() and setIndices().
+  /** \brief Reconstruct the surface through the points given by setInputCloud() or setInputBlob(), and
+   * setIndices().
    * \param[out] points the vertices with all their fields, unorganized and dense; empty on failure
    * \param[out] polygons the triangles, as indices into \a points; empty on failure
    */
@@ -180,7 +182,7 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   const std::vector<float>& getFaceGaps() const { return face_gaps_; }
 
   /** \name Options that most callers need
-   * With setInputCloud(), the three setters here are enough for nearly all. */
+   * Most callers need setInputCloud() and at most these five setters. */
   ///@{
 
   /** \brief Set whether the result may have a boundary: faces that no data support are removed.

@@ -8,7 +8,8 @@
 
 namespace filmsticking {
 
-/// How a facet couples its two sides, by its votes: 1 equal, -1 opposite.
+/// How a facet couples its two sides, by its votes: positive makes them equal, negative opposite; 1 is full
+/// strength.
 constexpr double kVoteCoupling[4] = {1.0, 0.3, -0.3, -1.0};
 
 /// Evidence for each Delaunay facet, from the sites alone. Entry [t][k] is the facet of tetrahedron t
@@ -19,8 +20,9 @@ struct FacetEvidence {
   /// tangent plane within two spacings: the facet belongs to the corner's local triangulation (after Co3Ne,
   /// Boltcheva and Levy 2017).
   UnsetVector<std::array<signed char, 4>> votes;
-  /// Cost of the facet on the surface: area x (price by votes + price by angle). The angle is between the
-  /// facet and its tetrahedra's circumspheres (Labatut et al. 2009).
+  /// The price of a facet on the surface: area x (price by votes + price by angle). The price by angle is the
+  /// "surface quality" of Labatut et al. 2009: 1 - the smaller cosine of the angles between the facet and its
+  /// tetrahedra's circumspheres. A high value is bad.
   UnsetVector<std::array<float, 4>> cost;
 };
 

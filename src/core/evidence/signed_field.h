@@ -12,11 +12,12 @@ namespace filmsticking {
 /// Inside and outside from local evidence alone. Returns a belief per tetrahedron: about 1 inside, -1
 /// outside, near 0 where the evidence contradicts itself.
 ///
-/// A facet with votes makes the tetrahedra on its two sides opposite, a facet without votes makes them equal.
-/// Infinite tetrahedra are outside. The least-squares compromise, weighted by the facets' areas, is a linear
-/// system with a signed Laplacian (after Kolluri, Shewchuk and O'Brien, "Spectral surface reconstruction from
-/// noisy point clouds", 2004, with the outside given instead of an eigenvector). Conjugate gradients solve it
-/// from `guess`, one value per tetrahedron. Throws Cancelled.
+/// A facet with two or three votes pulls the tetrahedra on its two sides to opposite beliefs, a facet with
+/// one or none to equal beliefs, by kVoteCoupling. Infinite tetrahedra are outside. The least-squares
+/// compromise, weighted by the facets' areas, is a linear system with a signed Laplacian (after Kolluri,
+/// Shewchuk and O'Brien, "Spectral surface reconstruction from noisy point clouds", 2004, with the outside
+/// given instead of an eigenvector). Conjugate gradients solve it from `guess`, one value per tetrahedron.
+/// Throws Cancelled.
 std::vector<double> signed_field(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
                                  std::vector<double> guess, const Cancel& cancel = {});
 

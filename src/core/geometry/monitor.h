@@ -45,21 +45,21 @@ class Monitor {
 
   /// Ends the current stage and starts another. `share`: fraction of the work done, 0 to 1. Throws Cancelled,
   /// CallbackThrew.
-  void enter(const char* room, double share) {
+  void enter(const char* stage, double share) {
     leave();
     auto it = std::find_if(report_.rooms.begin(), report_.rooms.end(),
-                           [&](const RoomSeconds& r) { return r.room == room; });
-    if (it == report_.rooms.end()) it = report_.rooms.insert(report_.rooms.end(), {room, 0});
+                           [&](const RoomSeconds& r) { return r.room == stage; });
+    if (it == report_.rooms.end()) it = report_.rooms.insert(report_.rooms.end(), {stage, 0});
     index_ = it - report_.rooms.begin();
     start_ = Clock::now();
-    room_ = room;
+    stage_ = stage;
     progress(share);
   }
 
   void progress(double share) {
     cancel()();
     share_ = std::max(share_, std::min(share, 1.0));
-    if (execution_.progress) call_back([&] { execution_.progress(share_, room_); });
+    if (execution_.progress) call_back([&] { execution_.progress(share_, stage_); });
   }
 
   double share() const { return share_; }
@@ -79,7 +79,7 @@ class Monitor {
   Report& report_;
   std::ptrdiff_t index_ = -1;
   Clock::time_point start_;
-  const char* room_ = "";
+  const char* stage_ = "";
   double share_ = 0;
 };
 

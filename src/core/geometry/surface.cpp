@@ -41,11 +41,4 @@ Vec3 Surface::area_vector2(Index triangle) const {
   return (corner(triangle, 1) - a).cross(corner(triangle, 2) - a);
 }
 
-double signed_volume6(const Surface& surface) {
-  double sum = 0;
-  for (const Corners& t : surface.triangles)
-    sum += surface.positions[t[0]].dot(surface.positions[t[1]].cross(surface.positions[t[2]]));
-  return sum;
-}
-
 }  // namespace filmsticking

@@ -21,9 +21,6 @@ struct Surface {
   Vec3 area_vector2(Index triangle) const;
 };
 
-/// Six times the enclosed volume of a closed surface.
-double signed_volume6(const Surface& surface);
-
 /// A surface from triangles of sites, which keep their order. Vertices are sorted by site.
 Surface unsorted_surface_of_sites(std::vector<Corners> triangles, const std::vector<Vec3>& sites);
 

@@ -149,6 +149,7 @@ std::int64_t Mending::handles() const {
     if (labelling.label(t))
       for (Index u : labelling.neighbours(t)) euler2 -= !labelling.label(u);
   }
+  // Not genus(): through infinity the characteristic may be odd, and the halves are then rounded otherwise.
   return pieces.count() - 1 - euler2 / 4;
 }
 

@@ -51,8 +51,8 @@ class Solver {
   // the nodes. The labels do not depend on the order: every maximum flow leaves the same nodes that the
   // source reaches, and the same that reach the sink.
   void push_across() {
-    constexpr std::size_t kChunk = 16384;
-    parallel_chunks(tree_.size(), kChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    constexpr std::size_t kNodes = 16384;
+    parallel_chunks(tree_.size(), kNodes, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (Index i = static_cast<Index>(begin); i < static_cast<Index>(end); ++i)
         for (Index k = 0; k < 4 && g_.terminal[i] > 0; ++k) {
           const Index back = g_.mirror[i][k], j = back / 4;

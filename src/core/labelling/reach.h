@@ -5,10 +5,10 @@
 
 namespace filmsticking {
 
-/// Takes sites onto the surface that the cut left off as cheaper: sites that stick out, or lie in a dent of
-/// chance. A move relabels one or two tetrahedra at the site, keeps the topology, makes no fold and costs
-/// less than the site is worth. It is sculpting (Boissonnat, "Geometric structures for three-dimensional
-/// shape representation", 1984) in both directions. Needs a census.
+/// Takes sites onto the surface that the cut missed, since that was cheaper: sites that stick out, or are in
+/// a dent of chance. A move relabels one or two tetrahedra at the site, keeps the topology, makes no fold and
+/// costs less than the site is worth. It is sculpting (Boissonnat, "Geometric structures for
+/// three-dimensional shape representation", 1984) in both directions. Needs a census.
 void reach(Labelling& labelling);
 
 }  // namespace filmsticking

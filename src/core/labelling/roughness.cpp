@@ -2,7 +2,8 @@
 #include "labelling/roughness.h"
 
 #include <algorithm>
-#include <cstddef>
+
+#include "geometry/quantile.h"
 
 namespace filmsticking {
 namespace {
@@ -26,9 +27,7 @@ double roughness(const Labelling& labelling, const std::vector<Vec3>& sites) {
       if (const double size = normal[i].norm() * mean[v].norm(); size > 0)
         cosines.push_back(normal[i].dot(mean[v]) / size);
   if (cosines.empty()) return 0;
-  const auto middle = cosines.begin() + static_cast<std::ptrdiff_t>(cosines.size() / 2);
-  std::nth_element(cosines.begin(), middle, cosines.end());
-  return std::clamp((1 - *middle) / kRough, 0.0, 1.0);
+  return std::clamp((1 - median(cosines.begin(), cosines.end())) / kRough, 0.0, 1.0);
 }
 
 }  // namespace filmsticking

@@ -43,9 +43,21 @@ std::string detect_text(std::string_view bytes) {
 
 [[noreturn]] void throw_no_vertex() { throw IoError("a face in it names a vertex that does not exist"); }
 
-std::string dotted(const std::vector<std::string>& formats) {
-  std::string names;
-  for (const std::string& format : formats) names += " ." + format;
+struct Format {
+  const char* name;
+  bool reads_cloud, reads_mesh, writes_mesh;
+};
+constexpr Format kFormats[] = {
+    {"pcd", true, false, false}, {"ply", true, true, true},   {"obj", true, true, true},
+    {"stl", true, true, true},   {"vtk", false, true, true},  {"xyz", true, false, false},
+    {"txt", true, false, false}, {"glb", false, false, true},
+};
+
+template <class Wanted>
+std::vector<std::string> formats_where(Wanted wanted) {
+  std::vector<std::string> names;
+  for (const Format& format : kFormats)
+    if (wanted(format)) names.push_back(format.name);
   return names;
 }
 
@@ -54,19 +66,27 @@ std::string format_of(const std::string& path, const std::vector<std::string>& f
   const std::string extension = extension_of(path);
   for (const std::string& format : formats)
     if (extension == "." + format) return format;
-  throw IoError("its extension is none of" + dotted(formats));
+  throw IoError("its extension is none of " + extensions_of(formats));
 }
 
 }  // namespace
 
 const std::vector<std::string>& cloud_formats() {
-  static const std::vector<std::string> formats = {"pcd", "ply", "obj", "stl", "xyz", "txt"};
+  static const std::vector<std::string> formats =
+      formats_where([](const Format& format) { return format.reads_cloud; });
   return formats;
 }
 
 const std::vector<std::string>& mesh_formats() {
-  static const std::vector<std::string> formats = {"ply", "obj", "stl", "vtk", "glb"};
+  static const std::vector<std::string> formats =
+      formats_where([](const Format& format) { return format.writes_mesh; });
   return formats;
+}
+
+std::string extensions_of(const std::vector<std::string>& formats) {
+  std::string text;
+  for (const std::string& format : formats) text += (text.empty() ? "." : " .") + format;
+  return text;
 }
 
 std::string detect_format(std::string_view bytes) {
@@ -128,7 +148,7 @@ Cloud read_cloud(const std::string& path, std::int64_t most) {
 
 pcl::PolygonMesh read_mesh(const std::string& path) {
   check_readable(path);
-  const std::string format = format_of(path, {"ply", "obj", "stl", "vtk"});
+  const std::string format = format_of(path, formats_where([](const Format& f) { return f.reads_mesh; }));
   pcl::PolygonMesh mesh = decode_mesh(format, read_file(path));
   if (mesh.polygons.empty()) throw IoError("there are no triangles in it");
   return mesh;
@@ -136,7 +156,8 @@ pcl::PolygonMesh read_mesh(const std::string& path) {
 
 pcl::PolygonMesh read_model(const std::string& path) {
   check_readable(path);
-  const std::string format = format_of(path, {"pcd", "ply", "obj", "stl", "vtk", "xyz", "txt"});
+  const std::string format =
+      format_of(path, formats_where([](const Format& f) { return f.reads_cloud || f.reads_mesh; }));
   return decode_mesh(format, read_file(path));
 }
 

@@ -20,6 +20,9 @@ const std::vector<std::string>& cloud_formats();
 /// The formats that encode_mesh() writes: ply obj stl vtk glb.
 const std::vector<std::string>& mesh_formats();
 
+/// The extensions of formats, with dots and spaces between, as messages list them: ".ply .obj".
+std::string extensions_of(const std::vector<std::string>& formats);
+
 /// The format of points that the bytes begin like; empty if none. Text of numbers is xyz.
 std::string detect_format(std::string_view bytes);
 

@@ -187,7 +187,7 @@ TEST(DepthImage, IsTheVisibleSurface) {
 }
 
 // With depth steps several pixels wide a wall is a set of bands, which faced both ways.
-TEST(Reconstruct, Regression_AWallInStepsIsOneSurface) {
+TEST(DepthImage, Regression_AWallInStepsIsOneSurface) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE(seed);
     test::Random random(seed);
@@ -207,7 +207,7 @@ TEST(Reconstruct, Regression_AWallInStepsIsOneSurface) {
 }
 
 // The result zigzagged through the image with hundreds of handles, and took ten times as long.
-TEST(Reconstruct, Regression_ADepthImageThatIsClosedFacesOneWay) {
+TEST(DepthImage, Regression_ADepthImageThatIsClosedFacesOneWay) {
   std::vector<std::pair<const char*, Depth>> scenes(std::begin(kScenes), std::end(kScenes));
   scenes.emplace_back("bowl in steps",
                       in_steps([](double x, double y) { return 3 - 0.5 * (x * x + y * y); }, 0.003));
@@ -262,7 +262,7 @@ TEST(DepthImage, AGuessTellsTheFrontOfASheet) {
 }
 
 // Thinned images, and images with noise across the lines of sight, had tens of handles and mixed orientation.
-TEST(Reconstruct, Regression_AThinnedOrNoisyImageIsOneViewFromWhereItWasTaken) {
+TEST(DepthImage, Regression_AThinnedOrNoisyImageIsOneViewFromWhereItWasTaken) {
   for (const auto& [name, depth] : kScenes)
     for (const bool thin : {false, true}) {
       SCOPED_TRACE(std::string(name) + (thin ? ", thinned" : ", noisy"));
@@ -290,7 +290,7 @@ TEST(Reconstruct, Regression_AThinnedOrNoisyImageIsOneViewFromWhereItWasTaken) {
 }
 
 // As for bun0.pcd, whose origin is at its feet: from behind, all of a scan is visible once as well.
-TEST(Reconstruct, AScanWithTheGuessJustBehindShowsItsConvexSide) {
+TEST(DepthImage, AScanWithTheGuessJustBehindShowsItsConvexSide) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     std::vector<Point> half;
     for (const Point& p : test::sphere(2000, seed))
@@ -304,7 +304,7 @@ TEST(Reconstruct, AScanWithTheGuessJustBehindShowsItsConvexSide) {
 }
 
 // Seen from the guess, a plate resembles a noisy image.
-TEST(Reconstruct, AThinPlateIsNoViewWhateverTheGuess) {
+TEST(DepthImage, AThinPlateIsNoViewWhateverTheGuess) {
   for (const double thickness : {0.5, 1.0, 2.0})
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
       SCOPED_TRACE(std::to_string(thickness) + " " + std::to_string(seed));

@@ -8,6 +8,7 @@
 #include "geometry/triangle_adjacency.h"
 #include "points/site_set.h"
 #include "support/clouds.h"
+#include "support/surfaces.h"
 #include "surface/orientation.h"
 
 namespace filmsticking {
@@ -17,7 +18,7 @@ TEST(InitialSurface, SphereHoldsTheSites) {
   const SiteSet set = make_site_set(test::grid(4));
   const Surface sphere = bounding_sphere(set.perturbed);
   EXPECT_TRUE(check_manifold(sphere.triangles, static_cast<Index>(sphere.positions.size())).ok());
-  EXPECT_GT(signed_volume6(sphere), 0);
+  EXPECT_GT(test::signed_volume6(sphere), 0);
   for (const Corners& t : sphere.triangles) {
     const Vec3 &a = sphere.positions[t[0]], &b = sphere.positions[t[1]], &c = sphere.positions[t[2]];
     const Vec3 outward = (b - a).cross(c - a);

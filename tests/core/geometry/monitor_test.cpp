@@ -28,16 +28,16 @@ TEST(Monitor, TimesEveryStageOnceInOrderOfFirstEntry) {
 TEST(Monitor, ProgressNeverFallsAndStaysAFraction) {
   Report report;
   Execution execution;
-  std::vector<std::pair<double, std::string>> told;
-  execution.progress = [&](double share, const char* stage) { told.emplace_back(share, stage); };
+  std::vector<std::pair<double, std::string>> reports;
+  execution.progress = [&](double share, const char* stage) { reports.emplace_back(share, stage); };
   Monitor monitor(execution, report);
   monitor.enter("one", 0.3);
   monitor.enter("two", 0.1);
   monitor.progress(7);
-  ASSERT_EQ(told.size(), 3U);
-  EXPECT_EQ(told[0], std::pair(0.3, std::string("one")));
-  EXPECT_EQ(told[1], std::pair(0.3, std::string("two")));
-  EXPECT_EQ(told[2], std::pair(1.0, std::string("two")));
+  ASSERT_EQ(reports.size(), 3U);
+  EXPECT_EQ(reports[0], std::pair(0.3, std::string("one")));
+  EXPECT_EQ(reports[1], std::pair(0.3, std::string("two")));
+  EXPECT_EQ(reports[2], std::pair(1.0, std::string("two")));
 }
 
 TEST(Monitor, ThrowsOnceTheCallerWantsToStop) {

@@ -40,12 +40,6 @@ TEST(Surface, AreaVectorsOfAClosedSurfacePointOutwardAndAddUpToNothing) {
   EXPECT_NEAR(sum.norm(), 0, 1e-12);
 }
 
-TEST(Surface, SignedVolumeIsSixTimesThatOfATetrahedron) {
-  const Surface tetrahedron =
-      test::surface_of({{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 5}}, test::kTetrahedron);
-  EXPECT_NEAR(signed_volume6(tetrahedron), 2 * 3 * 5, 1e-12);
-}
-
 TEST(Surface, CountsItsSites) {
   Surface surface;
   surface.site = {0, kNone, 3, 9, 4};

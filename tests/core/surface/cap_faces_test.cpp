@@ -25,7 +25,7 @@ std::int64_t caps_removed(Surface& surface) {
 // 2 on the edge of 0 and 1; 3 above it, 4 below.
 const std::vector<Vec3> kOnAnEdge = {{0, 0, 0}, {0.2, 0, 0}, {0.1, 1e-9, 0}, {0.1, 0.1, 0}, {0.1, -0.1, 0}};
 
-TEST(Caps, AreFlippedIntoTheFaceAcross) {
+TEST(CapFaces, AreFlippedIntoTheFaceAcross) {
   Surface surface = test::surface_of(kOnAnEdge, {{0, 1, 3}, {1, 0, 2}, {0, 4, 2}, {4, 1, 2}});
   const double before = test::area(surface);
   EXPECT_EQ(caps_removed(surface), 1);
@@ -34,7 +34,7 @@ TEST(Caps, AreFlippedIntoTheFaceAcross) {
   EXPECT_EQ(caps_removed(surface), 0);
 }
 
-TEST(Caps, AreLeftOutAtTheBorder) {
+TEST(CapFaces, AreLeftOutAtTheBorder) {
   // 2 is inside: its faces form a ring.
   Surface surface = test::surface_of({{0, 0, 0}, {0.2, 0, 0}, {0.1, 1e-9, 0}, {0.1, -0.1, 0}},
                                      {{1, 0, 2}, {0, 3, 2}, {3, 1, 2}});
@@ -42,7 +42,7 @@ TEST(Caps, AreLeftOutAtTheBorder) {
   EXPECT_EQ(surface.triangles.size(), 2u);
 }
 
-TEST(Caps, StayWhereTheBorderWouldMeetItself) {
+TEST(CapFaces, StayWhereTheBorderWouldMeetItself) {
   Surface surface = test::surface_of({{0, 0, 0}, {0.2, 0, 0}, {0.1, 0, 0}, {0, -0.1, 0}, {0.2, -0.1, 0}},
                                      {{1, 0, 2}, {0, 3, 2}, {4, 1, 2}});
   const std::vector<Corners> before = surface.triangles;
@@ -51,7 +51,7 @@ TEST(Caps, StayWhereTheBorderWouldMeetItself) {
 }
 
 // An edge that was flipped and flipped back left its faces turned on, and their twins were those of others.
-TEST(Caps, Regression_ThoseThatStayChangeNothing) {
+TEST(CapFaces, Regression_ThoseThatStayChangeNothing) {
   Surface surface =
       test::surface_of({{0, 0, 0}, {0.3, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}, {0.1, 0.1, 0}, {0.1, -0.1, 0}},
                        {{0, 1, 3}, {1, 0, 2}, {0, 5, 2}, {2, 5, 1}, {0, 3, 4}, {3, 1, 4}});
@@ -60,7 +60,7 @@ TEST(Caps, Regression_ThoseThatStayChangeNothing) {
   EXPECT_EQ(surface.triangles, before);
 }
 
-TEST(Caps, GoWhereSeveralLieOnOneEdge) {
+TEST(CapFaces, GoWhereSeveralLieOnOneEdge) {
   Surface surface =
       test::surface_of({{0, 0, 0}, {0.3, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}, {0.1, 0.1, 0}, {0.1, -0.1, 0}},
                        {{0, 1, 4}, {1, 0, 3}, {3, 0, 2}, {0, 5, 2}, {2, 5, 3}, {3, 5, 1}});

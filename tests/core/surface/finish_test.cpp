@@ -52,7 +52,7 @@ TEST(Finish, GivesAnOutwardManifoldAtTheExactPlaces) {
     EXPECT_TRUE(done.topology.check.ok());
     EXPECT_TRUE(test::check(done.surface).ok());
     EXPECT_EQ(done.topology.components, 1);
-    EXPECT_GT(signed_volume6(done.surface), 0);
+    EXPECT_GT(test::signed_volume6(done.surface), 0);
     EXPECT_EQ(done.surface.site, box.surface.site);  // no vertex is lost
     for (std::size_t v = 0; v < done.surface.site.size(); ++v)
       EXPECT_EQ(done.surface.positions[v], box.sites.exact(box.points, done.surface.site[v]));

@@ -59,7 +59,7 @@ TEST(Orientation, TurnsSolidsOutwardAndCavitiesInward) {
     for (int part = 0; part < 3; ++part) {
       Surface one = turned;
       one.triangles.assign(turned.triangles.begin() + 4 * part, turned.triangles.begin() + 4 * part + 4);
-      EXPECT_EQ(signed_volume6(one) > 0, part != 1) << flips << ' ' << part;
+      EXPECT_EQ(test::signed_volume6(one) > 0, part != 1) << flips << ' ' << part;
     }
   }
 }

@@ -66,7 +66,7 @@ TEST(BrokenFiles, WhatComesBeforeTheEndOfAListOfLinesIsRead) {
   }
 }
 
-/// Decodes it, whatever it is, and tells how long that took.
+/// Decodes any bytes. Returns the seconds that it took.
 double seconds_for(const std::string& format, const std::string& bytes) {
   const auto begin = std::chrono::steady_clock::now();
   try {

@@ -651,6 +651,26 @@ TEST(Pcd, BrokenFilesAreRefusedQuietly) {
 // ---- files
 // ------------------------------------------------------------------------------------------------------
 
+TEST(Formats, MessagesListAllThatCanBeReadOrWritten) {
+  const ScratchFolder folder;
+  write_text(folder / "mesh.las", "LASF");
+  const auto message = [](const auto& work) -> std::string {
+    try {
+      work();
+    } catch (const IoError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string path = folder / "mesh.las", none = "its extension is none of ";
+  EXPECT_EQ(message([&] { io::read_cloud(path); }), none + ".pcd .ply .obj .stl .xyz .txt");
+  EXPECT_EQ(message([&] { io::read_mesh(path); }), none + ".ply .obj .stl .vtk");
+  EXPECT_EQ(message([&] { io::read_model(path); }), none + ".pcd .ply .obj .stl .vtk .xyz .txt");
+  EXPECT_EQ(message([&] { io::write_mesh(path, tetrahedron(true)); }),
+            none + io::extensions_of(io::mesh_formats()));
+  EXPECT_EQ(io::extensions_of(io::mesh_formats()), ".ply .obj .stl .vtk .glb");
+}
+
 TEST(Formats, AMeshIsSentInPiecesOfItsSize) {
   Model model;
   for (int i = 0; i < 20000; ++i) {

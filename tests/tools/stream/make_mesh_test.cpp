@@ -69,10 +69,10 @@ TEST(MakeMesh, TheFlagEndsItSoon) {
   cancel = false;
   std::promise<void> at_work;
   const auto begin = std::chrono::steady_clock::now();
-  bool told = false;
+  bool signalled = false;
   auto outcome = std::async(std::launch::async, [&] {
     return make_mesh(job_of(points), &cancel, [&](double share, const char*) {
-      if (share > 0 && !told) at_work.set_value(), told = true;
+      if (share > 0 && !signalled) at_work.set_value(), signalled = true;
     });
   });
   at_work.get_future().wait();

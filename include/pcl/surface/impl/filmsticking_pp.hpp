@@ -307,7 +307,7 @@ bool pcl::FilmstickingPP<PointInT>::checkInput() {
   if (!indices_fault_.empty()) return refuse(indices_fault_);
   const std::size_t size = blob_ ? static_cast<std::size_t>(blob_->width) * blob_->height : input_->size();
   if (size > static_cast<std::size_t>(std::numeric_limits<pcl::index_t>::max()))
-    return refuse("the cloud has more points than indices can tell");
+    return refuse("the cloud has more points than an index can count");
   if (!indices_ || fake_indices_) {  // not in place as PCLBase does: a copy of this object shares the indices
     indices_.reset(new pcl::Indices(size));
     std::iota(indices_->begin(), indices_->end(), 0);

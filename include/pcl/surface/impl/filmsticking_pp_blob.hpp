@@ -20,9 +20,10 @@ namespace detail {
 
 /** \brief Why \a blob cannot be read as a cloud with x, y and z; empty if it can.
  *
- * pcl::fromPCLPointCloud2() trusts the sizes that a blob tells; after this check it may.
+ * pcl::fromPCLPointCloud2() trusts the sizes that a blob states; after this check it may.
  */
 inline std::string blobFault(const pcl::PCLPointCloud2& blob) {
+  if (blob.is_bigendian) return "the numbers of the blob are big-endian";
   int doubles = 0;
   for (const char* name : {"x", "y", "z"}) {
     const auto field = std::find_if(blob.fields.begin(), blob.fields.end(),
@@ -43,7 +44,7 @@ inline std::string blobFault(const pcl::PCLPointCloud2& blob) {
   const std::uint64_t row = static_cast<std::uint64_t>(blob.width) * blob.point_step;
   if (blob.height > 0 && blob.row_step < row) return "the rows of the blob are shorter than their points";
   if (static_cast<std::uint64_t>(blob.row_step) * blob.height != blob.data.size())
-    return "the blob has " + std::to_string(blob.data.size()) + " bytes where its header tells " +
+    return "the blob has " + std::to_string(blob.data.size()) + " bytes where its header states " +
            std::to_string(static_cast<std::uint64_t>(blob.row_step) * blob.height);
   return {};
 }
