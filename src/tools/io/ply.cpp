@@ -14,7 +14,7 @@
 namespace filmsticking::io {
 namespace {
 
-enum class Format { Ascii, LittleEndian, BigEndian };
+enum class PlyFormat { Ascii, LittleEndian, BigEndian };
 
 struct Property {
   std::string name;
@@ -31,7 +31,7 @@ struct Element {
 };
 
 struct PlyHeader {
-  Format format = Format::Ascii;
+  PlyFormat format = PlyFormat::Ascii;
   std::vector<Element> elements;
 };
 
@@ -57,10 +57,10 @@ const char* type_name(Scalar type) {
   return kNames[static_cast<std::size_t>(type)];
 }
 
-Format parse_format(std::string_view name) {
-  if (name == "ascii") return Format::Ascii;
-  if (name == "binary_little_endian") return Format::LittleEndian;
-  if (name == "binary_big_endian") return Format::BigEndian;
+PlyFormat parse_format(std::string_view name) {
+  if (name == "ascii") return PlyFormat::Ascii;
+  if (name == "binary_little_endian") return PlyFormat::LittleEndian;
+  if (name == "binary_big_endian") return PlyFormat::BigEndian;
   throw IoError("its PLY header has an unknown format '" + std::string(name) + "'");
 }
 
@@ -111,16 +111,16 @@ PlyHeader parse_ply_header(TextScanner& file) {
 /// The values of the body, one after the other.
 class Body {
  public:
-  Body(Format format, std::string_view bytes) : format_(format), bytes_(bytes), text_(bytes) {}
+  Body(PlyFormat format, std::string_view bytes) : format_(format), bytes_(bytes), text_(bytes) {}
 
   /// Puts the next number to `to` as its type's bytes.
   void take(Scalar type, void* to) {
-    if (format_ == Format::Ascii) return take_text(type, to);
+    if (format_ == PlyFormat::Ascii) return take_text(type, to);
     const std::size_t size = size_of(type);
     if (bytes_.size() < size) throw_short();
     std::memcpy(to, bytes_.data(), size);
     bytes_.remove_prefix(size);
-    if (format_ == Format::BigEndian) std::reverse(static_cast<char*>(to), static_cast<char*>(to) + size);
+    if (format_ == PlyFormat::BigEndian) std::reverse(static_cast<char*>(to), static_cast<char*>(to) + size);
   }
 
   double value(Scalar type) {
@@ -132,7 +132,7 @@ class Body {
   /// A list's length; a length that the rest of the file cannot hold is refused.
   std::size_t list_size(const Property& list) {
     const double size = value(list.count_type);
-    const double smallest = format_ == Format::Ascii ? 1 : static_cast<double>(size_of(list.type));
+    const double smallest = format_ == PlyFormat::Ascii ? 1 : static_cast<double>(size_of(list.type));
     if (!(size >= 0)) throw IoError("a list in it has a negative length");
     if (size * smallest > static_cast<double>(remaining())) throw_short();
     return static_cast<std::size_t>(size);
@@ -149,12 +149,12 @@ class Body {
     std::size_t smallest = 0;
     for (const Property& property : element.properties)
       smallest +=
-          format_ == Format::Ascii ? 1 : size_of(property.is_list ? property.count_type : property.type);
+          format_ == PlyFormat::Ascii ? 1 : size_of(property.is_list ? property.count_type : property.type);
     if (element.count > remaining() / std::max<std::size_t>(smallest, 1)) throw_short();
   }
 
  private:
-  std::size_t remaining() const { return format_ == Format::Ascii ? text_.remaining() : bytes_.size(); }
+  std::size_t remaining() const { return format_ == PlyFormat::Ascii ? text_.remaining() : bytes_.size(); }
 
   void take_text(Scalar type, void* to) {
     const std::string_view word = text_.word();
@@ -164,7 +164,7 @@ class Body {
 
   [[noreturn]] static void throw_short() { throw IoError("it ends before its PLY header says"); }
 
-  Format format_;
+  PlyFormat format_;
   std::string_view bytes_;
   TextScanner text_;
 };
