@@ -131,7 +131,7 @@ void check_compressed(std::string_view body, std::size_t size) {
 
 /// The cloud that the header describes, all zeros, once the body can hold it. PCL's reader takes fields named
 /// "_" for padding that compressed data lack; here they have no name, and bytes as any other.
-pcl::PCLPointCloud2 make_cloud(const Header& header, std::string_view body) {
+pcl::PCLPointCloud2 cloud_of(const Header& header, std::string_view body) {
   std::vector<pcl::PCLPointField> fields;
   std::size_t step = 0, words = 0;
   for (const Field& field : header.fields) {
@@ -249,7 +249,7 @@ Cloud decode_pcd(std::string_view bytes) {
   TextScanner file(bytes);
   const Header header = parse_header(file);
   const std::string_view body = bytes.substr(bytes.size() - file.remaining());
-  Cloud cloud{make_cloud(header, body), header.viewpoint};
+  Cloud cloud{cloud_of(header, body), header.viewpoint};
   if (header.data == Data::Ascii) {
     read_text(body, cloud.points);
   } else if (header.points > 0) {
@@ -278,7 +278,7 @@ void check_pcd(std::string_view bytes) {
   }
   if (header.points == 0 || header.points > kMostPoints || !header.consistent)
     refuse("WIDTH times HEIGHT is not POINTS");
-  make_cloud(header, body);
+  cloud_of(header, body);
   check_header_ends(body);
   if (header.data == Data::Ascii) check_text(body, static_cast<std::size_t>(header.points), numbers);
 }
