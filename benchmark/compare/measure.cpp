@@ -68,30 +68,7 @@ void set_judgement(Row& row, const CloudFiles& files, const std::string& mesh) {
     return;
   }
   const Json json = Json::parse(end.out);
-  for (const char* column : {"vertices",
-                             "faces",
-                             "interpolated",
-                             "cloud_distance_mean",
-                             "closed",
-                             "manifold",
-                             "oriented",
-                             "outward",
-                             "boundary_edges",
-                             "non_manifold_edges",
-                             "non_manifold_vertices",
-                             "self_intersections",
-                             "components",
-                             "genus",
-                             "components_right",
-                             "genus_right",
-                             "topology_right",
-                             "chamfer_e3",
-                             "f_score",
-                             "normal_consistency",
-                             "turned_over",
-                             "hausdorff",
-                             "sharp_edges_restored"})
-    row.set(column, cell(json.value(column, Json())));
+  for (const std::string& column : judged_columns()) row.set(column, cell(json.value(column, Json())));
 }
 
 }  // namespace

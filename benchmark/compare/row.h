@@ -11,6 +11,9 @@ namespace filmsticking::bench {
 /// The columns of the table in their order; the README explains them. The first identify the run: no two rows
 /// agree in all of them.
 const std::vector<std::string>& columns();
+
+/// The last of them, which mesh_report gives under the same names.
+const std::vector<std::string>& judged_columns();
 constexpr std::size_t kKeyColumns = 7;
 
 /// One run of one method on one cloud: texts by column; an empty text: unknown.
