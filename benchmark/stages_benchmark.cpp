@@ -9,12 +9,12 @@
 #include <memory>
 
 #include "delaunay/delaunay.h"
-#include "delaunay/power_diagram.h"
+#include "delaunay/regular.h"
 #include "evidence/ball.h"
 #include "evidence/facet_evidence.h"
 #include "evidence/signed_field.h"
-#include "film/film.h"
-#include "film/restricted_power_diagram.h"
+#include "film/dense_film.h"
+#include "film/power_complex.h"
 #include "film/winding_number.h"
 #include "geometry/nearest.h"
 #include "geometry/parallel.h"
@@ -31,22 +31,19 @@
 namespace filmsticking {
 namespace {
 
-/// The results of every stage of the default pipeline, up to the film.
+/// The results of every stage of the default pipeline, up to the surface.
 class Stages {
  public:
   explicit Stages(int points)
       : cloud(test::torus(points, 1)), set(make_site_set(cloud)), sites(set.perturbed) {
     mesh = make_tetrahedral_mesh(delaunay_tetrahedra(sites), sites);
-    voronoi = voronoi_diagram(mesh.tets, sites);
     geometry = site_geometry(sites);
     evidence = facet_evidence(mesh, sites, geometry);
     for (const double width : ball_widths(mesh, sites, geometry.spacing, 1, 3))
       guess.push_back(std::isfinite(width) ? std::clamp((2 - width) * 3, -1.0, 1.0) : -1);
     belief = signed_field(mesh, evidence, guess);
     inside = cut();
-    first_film = boundary_film();
-    RepairCounts counts;
-    film = film_step(first_film, voronoi, RingChoice::Smooth, counts);
+    film = boundary_film();
   }
 
   Surface boundary_film() const {
@@ -86,13 +83,12 @@ class Stages {
   std::vector<Point> cloud;
   SiteSet set;
   const std::vector<Vec3>& sites;
-  PowerDiagram voronoi;
   TetrahedralMesh mesh;
   SiteGeometry geometry;
   FacetEvidence evidence;
   std::vector<double> guess, belief;
   std::vector<char> inside;
-  Surface first_film, film;
+  Surface film;
 };
 
 /// Built once for each number of points.
@@ -122,10 +118,8 @@ void stage(const char* name, Work work) {
 
 void register_stages() {
   stage("site set", [](const Stages& s) { return make_site_set(s.cloud).size(); });
-  stage("Delaunay triangulation", [](const Stages& s) { return DelaunayTriangulation(s.sites).dimension(); });
   stage("Delaunay tetrahedra", [](const Stages& s) { return delaunay_tetrahedra(s.sites).size(); });
-  stage("Voronoi neighbours",
-        [](const Stages& s) { return voronoi_diagram(s.mesh.tets, s.sites).neighbour.size(); });
+  stage("the same by CGAL", [](const Stages& s) { return regular_tetrahedra(s.sites, {}).size(); });
   stage("site geometry", [](const Stages& s) { return site_geometry(s.sites).normal.size(); });
   stage("facet evidence",
         [](const Stages& s) { return facet_evidence(s.mesh, s.sites, s.geometry).cost.size(); });
@@ -135,17 +129,11 @@ void register_stages() {
   stage("minimum cut", [](const Stages& s) { return s.cut().size(); });
   stage("manifold labels and their boundary",
         [](const Stages& s) { return s.boundary_film().triangles.size(); });
-  stage("restricted power diagram", [](const Stages& s) {
-    const auto vertices = static_cast<Index>(s.first_film.positions.size());
-    return restrict_power_diagram(s.first_film, half_edge_twins(s.first_film.triangles, vertices), s.voronoi)
-        .cell.size();
-  });
-  stage("film step", [](const Stages& s) {
-    RepairCounts counts;
-    return film_step(s.first_film, s.voronoi, RingChoice::Smooth, counts).triangles.size();
-  });
+  stage("flow map", [](const Stages& s) { return flow_map(s.mesh, s.sites).size(); });
+  stage("film with dense virtual sites",
+        [](const Stages& s) { return dense_film(s.mesh, s.sites, s.geometry.spacing, 2).size(); });
   stage("winding number of every tetrahedron", [](const Stages& s) {
-    const WindingNumber winding(s.sites, film_dipoles(s.film, s.sites.size()));
+    const WindingNumber winding(s.sites, film_dipoles(s.film, s.geometry.spacing));
     std::vector<double> value(s.mesh.size());
     parallel_each(value.size(), [&](std::size_t t) {
       Vec3 centre = Vec3::Zero();

@@ -60,11 +60,13 @@ void add_reconstruction(Arguments& arguments, Options& options) {
   arguments.group("Reconstruction");
   // First, since it replaces all options; the others then change what it says.
   arguments.option(
-      "--preset", "default|paper",
-      "values of the other options to start from; paper: sphere, 1000 virtual sites, one Poisson round",
+      "--preset", "default|paper|rd",
+      "values of the other options to start from; paper: Filmsticking++ as published, rd: its predecessor",
       [&options](const std::string& text) {
-        if (parse_choice<bool>("--preset", text, {{"default", false}, {"paper", true}}))
-          options = Options::paper();
+        using Preset = Options (*)();
+        const auto preset = parse_choice<Preset>(
+            "--preset", text, {{"default", nullptr}, {"paper", &Options::paper}, {"rd", &Options::rd}});
+        if (preset != nullptr) options = preset();
       });
   add_surface(arguments, options);
   add_film(arguments, options);

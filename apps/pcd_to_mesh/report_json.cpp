@@ -9,12 +9,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json to_json(const StepRecord& step) {
-  return {{"round", step.round},
-          {"attracted", step.attracted},
-          {"virtual_left", step.virtual_left},
-          {"weighted", step.weighted},
-          {"regions_repaired", step.regions_repaired},
-          {"seconds", step.seconds}};
+  return {{"round", step.round},       {"attracted", step.attracted}, {"virtual_left", step.virtual_left},
+          {"weighted", step.weighted}, {"held", step.held},           {"seconds", step.seconds}};
 }
 
 Json to_json(const RoomSeconds& stage) { return {{"room", stage.room}, {"seconds", stage.seconds}}; }

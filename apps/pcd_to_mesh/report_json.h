@@ -23,7 +23,7 @@ struct RunFacts {
 ///   Report
 ///   interpolated, interpolated_share (of the sites, 0 to 1), outliers, inserted
 ///   vertices, triangles, components, genus, boundary_edges, boundary_loops, closed, manifold: the mesh
-///   rounds; steps: a list of round, attracted, virtual_left, weighted, regions_repaired, seconds
+///   rounds; steps: a list of round, attracted, virtual_left, weighted, held, seconds
 ///   rooms: a list of room, seconds
 ///   reconstruction_seconds, seconds (with reading and writing), peak_memory_bytes
 std::string report_json(const Result& result, const RunFacts& facts);

@@ -9,6 +9,11 @@ const std::vector<Method>& methods() {
   static const std::vector<Method> all = {
       {"ours", "FilmstickingPP with its defaults", true, run_ours},
       {"ours-paper", "FilmstickingPP with the paper's own pipeline", true, run_ours_paper},
+      {"ours-rd", "FilmstickingPP as the paper's predecessor RD", true, run_ours_rd},
+      {"paper-no-weights", "ours-paper without weights", true, run_paper_no_weights},
+      {"paper-no-virtual", "ours-paper without virtual sites", true, run_paper_no_virtual},
+      {"paper-no-smooth", "ours-paper without the smoothness rule", true, run_paper_no_smooth},
+      {"paper-no-field", "ours-paper without the field and the last step", true, run_paper_no_field},
       {"ours-open", "FilmstickingPP with the faces left out that no points support", true, run_ours_open},
       {"ours-open-origin", "the same, with the origin as viewpoint, as in depth-frame", true,
        run_ours_open_origin},

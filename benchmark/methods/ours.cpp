@@ -29,6 +29,34 @@ Outcome run_ours_paper(const std::vector<Point>& points, int threads) {
   return run(points, Options::paper(), threads);
 }
 
+Outcome run_ours_rd(const std::vector<Point>& points, int threads) {
+  return run(points, Options::rd(), threads);
+}
+
+Outcome run_paper_no_weights(const std::vector<Point>& points, int threads) {
+  Options options = Options::paper();
+  options.weights = false;
+  return run(points, options, threads);
+}
+
+Outcome run_paper_no_virtual(const std::vector<Point>& points, int threads) {
+  Options options = Options::paper();
+  options.virtual_sites = 0;
+  return run(points, options, threads);
+}
+
+Outcome run_paper_no_smooth(const std::vector<Point>& points, int threads) {
+  Options options = Options::paper();
+  options.ring = RingChoice::Nearest;
+  return run(points, options, threads);
+}
+
+Outcome run_paper_no_field(const std::vector<Point>& points, int threads) {
+  Options options = Options::paper();
+  options.field = FieldMethod::None;
+  return run(points, options, threads);
+}
+
 Outcome run_ours_open(const std::vector<Point>& points, int threads) {
   Options options;
   options.open_boundary = true;

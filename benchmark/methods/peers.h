@@ -10,6 +10,11 @@ namespace filmsticking::bench {
 
 Outcome run_ours(const std::vector<Point>& points, int threads);
 Outcome run_ours_paper(const std::vector<Point>& points, int threads);
+Outcome run_ours_rd(const std::vector<Point>& points, int threads);
+Outcome run_paper_no_weights(const std::vector<Point>& points, int threads);
+Outcome run_paper_no_virtual(const std::vector<Point>& points, int threads);
+Outcome run_paper_no_smooth(const std::vector<Point>& points, int threads);
+Outcome run_paper_no_field(const std::vector<Point>& points, int threads);
 Outcome run_ours_open(const std::vector<Point>& points, int threads);
 Outcome run_ours_open_origin(const std::vector<Point>& points, int threads);
 Outcome run_delaunay(const std::vector<Point>& points, int threads);

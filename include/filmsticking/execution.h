@@ -20,7 +20,8 @@ struct Execution {
   const std::atomic<bool>* cancel = nullptr;
 
   /// Called after every film step with the film, in the caller's coordinates; step 0: the surface it starts
-  /// from. Method::Labelling calls it once with its surface, never for an open depth image.
+  /// from. A closed surface; where it touches itself, vertices share a place. Method::Labelling: after the
+  /// steps of its film once with its surface; never for an open depth image.
   std::function<void(int step, const Mesh& film)> on_step;
 };
 

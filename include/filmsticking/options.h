@@ -31,21 +31,22 @@ enum class InitialSurface {
   Given,   ///< Method::Film from FilmStart::Given
 };
 
-/// How a film loses its dangling plates and its topology is corrected (paper, section 5).
+/// How a film loses its dangling plates and its topology is corrected (paper, section 5). Either is a belief
+/// for one cut of the tetrahedra; the film's normals decide which facets lie on the surface.
 enum class FieldMethod {
   None,     ///< the film is the result
-  Poisson,  ///< Poisson's equation on the film's normals: the paper's choice
-  Sculpt,   ///< the film's winding number, then a minimum cut of the Delaunay tetrahedra
+  Poisson,  ///< Poisson's equation on the tetrahedra, with the film's normals: the paper's choice
+  Sculpt,   ///< the film's winding number: RD's choice
 };
 
-/// Which ring of triangles a site keeps when it owns several regions of the film (paper, section 4.4).
+/// What gives way where a site would own several regions of the film (paper, section 4.4).
 enum class RingChoice {
-  Smooth,   ///< the ring with the smallest variation of normals: the paper's choice
-  Nearest,  ///< the ring of the region nearest to the site: RD (Wang et al. 2022)
+  Smooth,   ///< the rougher side; and the film keeps what it has reached: the paper's choice
+  Nearest,  ///< the side that is farther from the site, without memory: RD (Wang et al. 2022)
 };
 
-/// All options. The defaults need no tuning; `paper()` chooses the paper's own pipeline. Most callers need
-/// `open_boundary`, `viewpoint`, `threads` and `max_memory`; the others compare methods.
+/// All options. The defaults need no tuning; `paper()` and `rd()` choose published pipelines. Most callers
+/// need `open_boundary`, `viewpoint`, `threads` and `max_memory`; the others compare methods.
 struct Options {
   Method method = Method::Labelling;         ///< what makes the surface
   FilmStart film_start = FilmStart::Sphere;  ///< where a film starts
@@ -58,15 +59,14 @@ struct Options {
   static constexpr int kAdaptiveVirtualSites = -1;
 
   /// Virtual sites (paper, section 4.3) of Method::Film: their number, 0 for none, or kAdaptiveVirtualSites.
-  /// They join once the film stalls, in cavities that it has not reached.
+  /// They are inside the film from the first step, and leave once it has reached them.
   int virtual_sites = kAdaptiveVirtualSites;
 
   /// Method::Film: attract sites off a stalled film by weights (restricted power diagram). False: Voronoi
   /// only.
   bool weights = true;
 
-  /// Insert the sites that are off the surface at the end. Method::Labelling relabels tetrahedra beside them;
-  /// Method::Film splits the nearest face, where that is clean.
+  /// Relabel tetrahedra beside the sites that are off the surface at the end, where that keeps its topology.
   bool insert_leftover = true;
 
   /// Allow a boundary: remove faces that no data support (see Result::gaps). The result is then a manifold
@@ -88,7 +88,7 @@ struct Options {
   /// Vertices and topology stay, and no flip makes faces intersect. A noisy surface has few flips.
   bool sharp_edges = true;
 
-  /// Most steps of one evolution of the film, before the first field; at least 1.
+  /// Most steps of a film, before the first field; at least 1.
   int max_steps = 60;
 
   /// Most rounds of field and cut of Method::Film, 0 or more. They end once a round improves nothing.
@@ -104,10 +104,13 @@ struct Options {
   /// A closed oriented 2-manifold, for FilmStart::Given.
   std::shared_ptr<const Mesh> guiding_surface;
 
-  /// The paper's pipeline: sphere, 1000 virtual sites, weights, one Poisson round, no insertion, no flips.
-  /// One difference: virtual sites join at the first stall. From the first step they would pull the film
-  /// through the shape.
+  /// The paper's pipeline: sphere, 1000 virtual sites, weights, smooth rings, one Poisson round, a last step.
+  /// docs/stages/film.md lists where it differs from the text.
   FILMSTICKING_EXPORT static Options paper();
+
+  /// The paper's predecessor, RD (Wang et al. 2022): no virtual sites or weights, the nearest region, cycles
+  /// of film and sculpting.
+  FILMSTICKING_EXPORT static Options rd();
 };
 
 /// The method that the options ask for, by its present or its former name.

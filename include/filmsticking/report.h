@@ -13,10 +13,9 @@ struct StepRecord {
   std::int64_t attracted = 0;     ///< points on the film after the step
   std::int64_t virtual_left = 0;  ///< virtual sites not yet attracted
   std::int64_t weighted = 0;      ///< points that were given a weight in this step
-  /// Surplus regions removed, double edges resolved, thin regions dropped. A moving film meets cells more
-  /// than once. A film at rest on an evenly sampled surface needs no repair. If nearly all sites own several
-  /// regions, the film is a double skin, and the next film start is tried.
-  std::int64_t regions_repaired = 0;
+  /// Tetrahedra that the step would have taken from the inside, and that memory held: few on a solid, most
+  /// of the inside of a plate thinner than the spacing.
+  std::int64_t held = 0;
   double seconds = 0;  ///< wall time
 };
 

@@ -8,9 +8,17 @@ Options Options::paper() {
   options.method = Method::Film;
   options.field = FieldMethod::Poisson;
   options.virtual_sites = 1000;
-  options.insert_leftover = false;
-  options.sharp_edges = false;
   options.max_rounds = 1;
+  return options;
+}
+
+Options Options::rd() {
+  Options options;
+  options.method = Method::Film;
+  options.field = FieldMethod::Sculpt;
+  options.ring = RingChoice::Nearest;
+  options.virtual_sites = 0;
+  options.weights = false;
   return options;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline.h"
 
-#include <tbb/parallel_invoke.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -14,11 +12,9 @@
 #include "evidence/ball.h"
 #include "evidence/depth_image.h"
 #include "evidence/signed_field.h"
+#include "film/dense_film.h"
 #include "film/film.h"
 #include "film/initial_surface.h"
-#include "film/insert_sites.h"
-#include "film/poisson.h"
-#include "film/virtual_sites.h"
 #include "film/winding_number.h"
 #include "geometry/parallel.h"
 #include "labelling/labelling.h"
@@ -79,11 +75,15 @@ constexpr double kGivenUp = 0.001;
 
 // Ball of the alpha wrap, in longest sides of the box.
 constexpr double kWrapAlpha = 0.05;
-// Distance of an inserted site from the nearest corner of its face, in longest edges of the face. More: leave
-// it off.
-constexpr double kReach = 2;
-// Tetrahedra per site. More: the points are on no surface, but on two curves, say; no virtual sites.
-constexpr std::int64_t kMostForVirtual = 64;
+// Tetrahedra per site. More: the points are on no surface, but on two curves, say; no virtual sites or
+// weights.
+constexpr std::int64_t kMostForFilm = 64;
+// Width of the narrowest place through which dense virtual sites lead a film, in spacings. Virtual sites keep
+// twice the spacing from all points (virtual_sites.h). It is the scale of chance gaps: measured on 53 models,
+// 1.5 leaks through them, 4 leaves cavities filled, and the field mends most of either.
+constexpr double kFilmWidth = 2;
+// Fraction of sites that a film must reach. Fewer: its start leaked or ran past the points; try the next one.
+constexpr double kReached = 0.5;
 
 // Fraction of sites missed by the first cut. < 1 %: accept.
 constexpr double kLittleTrouble = 0.01;
@@ -143,9 +143,21 @@ constexpr double kPlainConflict = 0.75, kFarLessConflict = 0.25;
 // Fraction of area in bridge faces, if the result is to be closed: > 20 %, the lid.
 constexpr double kLid = 0.2;
 
-// Has the film faces, and is every vertex a site?
-bool of_sites(const Surface& film) {
-  return !film.triangles.empty() && std::count(film.site.begin(), film.site.end(), kNone) == 0;
+// The price of facets where a film is no manifold and one of its sides gives way (paper, section 4.4).
+UnsetVector<std::array<float, 4>> ring_prices(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
+                                              RingChoice ring) {
+  UnsetVector<std::array<float, 4>> prices(mesh.size());
+  parallel_each(mesh.size(), [&](std::size_t t) {
+    for (int k = 0; k < 4; ++k) {
+      // A region of a site is as far from it as the dual edge, by which the two balls' centres are joined.
+      const auto u = static_cast<std::size_t>(mesh.tets.neighbours[t][k]);
+      const double nearest = std::min(mesh.circumradius[t], mesh.circumradius[u]);
+      prices[t][k] = ring == RingChoice::Smooth || !std::isfinite(nearest)
+                         ? evidence.cost[t][k]
+                         : static_cast<float>(evidence.area[t][k] * nearest);
+    }
+  });
+  return prices;
 }
 
 }  // namespace
@@ -182,19 +194,14 @@ double Pipeline::closed_surface_score(const SurfaceQuality& quality) const {
          static_cast<double>(sites_.size());
 }
 
-// Returns the belief that the signed field starts from.
+// Returns the belief that the signed field starts from: the film's.
 std::vector<double> Pipeline::prepare(Tetrahedra tetrahedra) {
   report_.tetrahedra = static_cast<std::int64_t>(tetrahedra.size());
   mesh_ = make_tetrahedral_mesh(std::move(tetrahedra), sites_.perturbed);
   monitor_.enter("local evidence", 0.15);
-  std::vector<double> guess;
-  // Carving uses one thread for long, so the evidence runs beside it.
-  const auto evidence = [&] { evidence_ = facet_evidence(mesh_, sites_.perturbed, geometry_); };
-  const auto carving = [&] {
-    if (method_of(options_) == Method::Labelling) guess = ball_belief(2, kInsideSlope);
-  };
-  tbb::parallel_invoke(carving, evidence);
-  return guess;
+  evidence_ = facet_evidence(mesh_, sites_.perturbed, geometry_);
+  if (method_of(options_) != Method::Labelling) return {};
+  return belief_of(film_from_sphere());
 }
 
 void Pipeline::show(const Surface& surface) const {
@@ -205,41 +212,24 @@ void Pipeline::show(const Surface& surface) const {
   call_back([&] { monitor_.execution().on_step(static_cast<int>(report_.steps.size()), mesh); });
 }
 
-Surface Pipeline::evolve(Surface film, const std::vector<Vec3>& sites, int max_steps, bool weights) {
+// With dense virtual sites. Its steps are recorded where the caller watches them; else they are not made one
+// by one.
+std::vector<char> Pipeline::film_from_sphere() {
   monitor_.enter("film", monitor_.share());
-  if (report_.steps.empty()) show(film);
-  FilmOptions options;
-  options.ring = options_.ring;
-  options.weights = weights;
-  options.max_steps = max_steps;
-  options.round = report_.rounds;
-  options.after_step = [&](const StepRecord& record, const Surface& now) {
-    report_.steps.push_back(record);
-    // The number of steps is unknown: each counts as a twentieth of what is left.
-    monitor_.progress(monitor_.share() + (0.95 - monitor_.share()) * 0.05);
-    show(now);
-    return true;
-  };
-  return evolve_film(std::move(film), sites, sites_.size(), voronoi_, options);
-}
-
-// After the last film step: inserts the sites off the film, where that is clean.
-Pipeline::Candidate Pipeline::with_insertions(Surface film) {
-  Candidate candidate;
-  // A film that never left the first surface has vertices that are no sites.
-  if (!of_sites(film)) return candidate;
-  candidate.surface = std::move(film);
-  if (options_.insert_leftover) {
-    monitor_.enter("insertion", monitor_.share());
-    std::vector<char> on(sites_.size(), 0);
-    for (Index s : candidate.surface.site) on[s] = 1;
-    std::vector<Index> off;
-    for (std::size_t s = 0; s < sites_.size(); ++s)
-      if (!on[s]) off.push_back(static_cast<Index>(s));
-    candidate.inserted = insert_sites(candidate.surface, sites_.perturbed, off, kReach);
+  std::function<void(const std::vector<char>&)> after_step;
+  if (monitor_.execution().on_step) {
+    show(bounding_sphere(sites_.perturbed));
+    after_step = [&](const std::vector<char>& inside) {
+      const Surface film = film_surface(mesh_.tets, inside, sites_.perturbed);
+      StepRecord record;
+      std::vector<char> on(sites_.size(), 0);
+      for (const Index s : film.site) on[s] = 1;
+      record.attracted = std::count(on.begin(), on.end(), 1);
+      report_.steps.push_back(record);
+      show(film);
+    };
   }
-  candidate.quality = surface_quality(candidate.surface, geometry_);
-  return candidate;
+  return dense_film(mesh_, sites_.perturbed, geometry_.spacing, kFilmWidth, after_step);
 }
 
 std::vector<double> Pipeline::off_prices() const {
@@ -251,15 +241,20 @@ std::vector<double> Pipeline::off_prices() const {
   return prices;
 }
 
+// What a label against a belief costs, per tetrahedron.
+std::vector<double> Pipeline::held(std::vector<double> belief, double conviction) const {
+  parallel_each(belief.size(), [&](std::size_t t) {
+    const auto& area = evidence_.area[t];
+    belief[t] *= conviction * (double{area[0]} + area[1] + area[2] + area[3]);
+  });
+  return belief;
+}
+
 // Cuts by a belief: labels of several cuts, made manifold. The first cut that keeps most sites decides the
 // topology; the cut with most sites is what the moves aim at. `reaches_infinity`: the inside may.
 Pipeline::Candidate Pipeline::cut(const std::vector<double>& belief, double conviction, bool open,
                                   bool reaches_infinity) {
-  LabelCosts costs{evidence_.cost, std::vector<double>(mesh_.size()), off_prices()};
-  parallel_each(mesh_.size(), [&](std::size_t t) {
-    const auto& area = evidence_.area[t];
-    costs.hold[t] = conviction * (double{area[0]} + area[1] + area[2] + area[3]) * belief[t];
-  });
+  LabelCosts costs{evidence_.cost, held(belief, conviction), off_prices()};
   Candidate candidate;
   candidate.open = open;
   Cuts cuts = several_cuts(costs.hold, reaches_infinity);
@@ -367,7 +362,7 @@ std::vector<double> Pipeline::ball_belief(double limit, double slope) const {
 }
 
 std::vector<double> Pipeline::winding_belief(const Surface& film) const {
-  const WindingNumber winding(sites_.perturbed, film_dipoles(film, sites_.size()));
+  const WindingNumber winding(sites_.perturbed, film_dipoles(film, geometry_.spacing));
   std::vector<double> belief(mesh_.size(), -1);
   parallel_each(mesh_.size(), [&](std::size_t t) {
     if (mesh_.tets.infinite(static_cast<Index>(t))) return;
@@ -378,12 +373,33 @@ std::vector<double> Pipeline::winding_belief(const Surface& film) const {
   return belief;
 }
 
-std::vector<double> Pipeline::film_belief(const Surface& film) const {
+// Cuts by what the film says of inside and outside (paper, section 5): its normals decide the votes, and its
+// winding number or Poisson's equation on the tetrahedra the belief.
+Pipeline::Candidate Pipeline::without_dangling(const Candidate& film) {
+  use_normals_of(film.surface);
+  monitor_.enter("field", monitor_.share());
+  std::vector<double> belief;
   if (options_.field == FieldMethod::Poisson) {
-    std::vector<double> belief = poisson_belief(mesh_, sites_.perturbed, film_dipoles(film, sites_.size()));
-    if (!belief.empty()) return belief;
+    belief = signed_field(mesh_, evidence_, belief_of(film.labels), monitor_.cancel());
+  } else {
+    belief = winding_belief(film.surface);
   }
-  return winding_belief(film);
+  return measured(cut(belief, kConviction, open_));
+}
+
+// Evidence by the surface's own normals.
+void Pipeline::use_normals_of(const Surface& surface) {
+  monitor_.enter("local evidence", monitor_.share());
+  evidence_ = {};  // it is large
+  SiteGeometry geometry = geometry_;
+  geometry.normal = surface_normals(surface, std::move(geometry.normal));
+  evidence_ = facet_evidence(mesh_, sites_.perturbed, geometry);
+}
+
+std::vector<double> Pipeline::belief_of(const std::vector<char>& labels) const {
+  std::vector<double> belief(labels.size());
+  parallel_each(belief.size(), [&](std::size_t t) { belief[t] = labels[t] ? 1 : -1; });
+  return belief;
 }
 
 Surface Pipeline::around_one_tetrahedron() {
@@ -421,18 +437,10 @@ bool Pipeline::needs_no_round(const Candidate& candidate) {
 // may be a leak.
 Pipeline::Candidate Pipeline::refined(Candidate best) {
   for (int round = 0; round < kRefinements && !best.labels.empty(); ++round) {
-    monitor_.enter("local evidence", monitor_.share());
-    evidence_ = {};  // it is large
-    {
-      SiteGeometry geometry = geometry_;
-      geometry.normal = surface_normals(best.surface, std::move(geometry.normal));
-      evidence_ = facet_evidence(mesh_, sites_.perturbed, geometry);
-    }
+    use_normals_of(best.surface);
     monitor_.enter("signed field", monitor_.share());
-    std::vector<double> guess(mesh_.size());
-    for (std::size_t t = 0; t < guess.size(); ++t) guess[t] = best.labels[t] ? 1 : -1;
-    Candidate next = measured(
-        cut(signed_field(mesh_, evidence_, std::move(guess), monitor_.cancel()), kConviction, best.open));
+    Candidate next = measured(cut(signed_field(mesh_, evidence_, belief_of(best.labels), monitor_.cancel()),
+                                  kConviction, best.open));
     const double given_up = static_cast<double>(next.quality.off - best.quality.off);
     if (!(next.score() < best.score()) || given_up > kGivenUp * static_cast<double>(sites_.size())) break;
     // A chance gap is no leak, so gaps are filled before the comparison; in copies, because a surface with
@@ -632,7 +640,7 @@ Pipeline::Candidate Pipeline::carve_further(Candidate best, bool two_sided) {
   best = mended(std::move(best));
   const auto enough = static_cast<std::int64_t>(kMuchTrouble * static_cast<double>(sites_.size()));
   if (!best.surface.triangles.empty() && best.quality.off <= enough) return best;
-  Candidate film = with_insertions(film_from_outside());
+  Candidate film = film_from_outside();
   if (film.score() < best.score()) best = std::move(film);
   return best;
 }
@@ -662,57 +670,85 @@ std::vector<std::function<Surface()>> Pipeline::first_films() const {
   }
 }
 
-// Plain steps from the first surface; virtual sites and weights once they stall.
-Surface Pipeline::film_from_outside() {
-  if (voronoi_.offset.empty()) voronoi_ = voronoi_diagram(mesh_.tets, sites_.perturbed);
-  Surface film;
+FilmOptions Pipeline::film_options() {
+  FilmOptions options;
+  const bool usual = report_.tetrahedra <= kMostForFilm * report_.sites;
+  options.virtual_sites = usual ? options_.virtual_sites : 0;
+  options.weights = usual && options_.weights;
+  options.memory = options_.ring == RingChoice::Smooth;
+  options.max_steps = options_.max_steps;
+  options.round = report_.rounds;
+  options.limits.cancel = monitor_.cancel();
+  options.after_step = [&](const StepRecord& record, const LabelledFilm& film) {
+    report_.steps.push_back(record);
+    // The number of steps is unknown: each counts as a twentieth of what is left.
+    monitor_.progress(monitor_.share() + (0.95 - monitor_.share()) * 0.05);
+    if (monitor_.execution().on_step) show(film_surface(film, sites_.size()));
+  };
+  return options;
+}
+
+// Evolves a film from the first start from which it reaches the points.
+Pipeline::Candidate Pipeline::film_from_outside() {
+  Candidate film;
   for (const auto& first : first_films()) {
     monitor_.enter("first surface", 0.2);
-    const std::size_t steps_before = report_.steps.size();
-    film = evolve(first(), sites_.perturbed, options_.max_steps, false);
-    // A leaked film is a double skin: nearly every site owns two regions.
-    const bool leaked = report_.steps.size() > steps_before &&
-                        2 * report_.steps[steps_before].regions_repaired > report_.sites;
-    if (of_sites(film) && !leaked) break;
+    const Surface start = first();
+    monitor_.enter("film", monitor_.share());
+    if (report_.steps.empty()) show(start);
+    film = manifold_film(
+        evolve_film(enclosure(start), mesh_, sites_.perturbed, geometry_.spacing, film_options()));
+    if (static_cast<double>(film.quality.off) < kReached * static_cast<double>(sites_.size())) break;
   }
-  if (!of_sites(film)) return {};
-  // As a fallback only: the virtual sites would square the number of tetrahedra.
-  if (method_of(options_) == Method::Labelling && report_.tetrahedra > kMostForVirtual * report_.sites)
-    return film;
-  // Not as an argument below: the film might be moved first.
-  const std::vector<Vec3> sites = with_virtual_sites(film);
-  film = evolve(std::move(film), sites, options_.max_steps, options_.weights);
-  // A film that ran out of steps may still hold virtual sites; a step without them drops these.
-  return of_sites(film) ? std::move(film) : evolve(std::move(film), sites_.perturbed, 1, false);
+  return film;
 }
 
-// Adds virtual sites (paper, section 4.3) in cavities that the film has not reached: beside sites off the
-// film, where a ball can roll in from outside. Everywhere and from the first step, they would pull the film
-// through the shape before the points are on it.
-std::vector<Vec3> Pipeline::with_virtual_sites(const Surface& film) const {
-  std::vector<Vec3> sites = sites_.perturbed;
-  if (options_.virtual_sites == 0) return sites;
-  std::vector<char> off(sites.size(), 1), wanted(mesh_.size(), 0);
-  for (Index s : film.site)
-    if (s != kNone) off[s] = 0;
-  const std::vector<double> width = ball_widths(mesh_, sites, geometry_.spacing, 1, 2);
-  for (std::size_t t = 0; t < mesh_.size(); ++t) {
-    if (mesh_.tets.infinite(static_cast<Index>(t)) || width[t] < 2) continue;
-    for (Index i : mesh_.tets.corners[t]) wanted[t] = static_cast<char>(wanted[t] | off[i]);
-  }
-  const std::vector<Vec3> extra = virtual_sites(mesh_, geometry_.spacing, options_.virtual_sites, wanted);
-  sites.insert(sites.end(), extra.begin(), extra.end());
-  return sites;
+// Where a site is singular, the dearer side gives way. Then takes the sites in that are near.
+Pipeline::Candidate Pipeline::manifold_film(std::vector<char> labels) {
+  monitor_.enter("manifold", monitor_.share());
+  Candidate film;
+  const UnsetVector<std::array<float, 4>> prices = ring_prices(mesh_, evidence_, options_.ring);
+  const LabelCosts costs{prices, held(belief_of(labels), kConviction), off_prices()};
+  Labelling labelling(mesh_, geometry_, costs, labels, monitor_.cancel());
+  repair(labelling);
+  unfold(labelling);
+  if (options_.insert_leftover) reach(labelling);
+  film.inserted = labelling.counts.reached;
+  film.surface = surface_of(labels, false);
+  film.labels = std::move(labels);
+  film.hold = costs.hold;
+  return measured(std::move(film));
 }
 
+// The paper's last step: one film step from the surface that the field gave. It moves the surface as far as
+// its topology, which the field decided, allows.
+Pipeline::Candidate Pipeline::after_last_step(Candidate candidate) {
+  if (candidate.labels.empty()) return candidate;
+  monitor_.enter("film", monitor_.share());
+  FilmOptions options = film_options();
+  options.weights = false, options.max_steps = 2;
+  const std::vector<char> aim =
+      evolve_film(candidate.labels, mesh_, sites_.perturbed, geometry_.spacing, options);
+  monitor_.enter("manifold", monitor_.share());
+  const LabelCosts costs{evidence_.cost, std::move(candidate.hold), off_prices()};
+  Labelling labelling(mesh_, geometry_, costs, candidate.labels, monitor_.cancel());
+  repair(labelling, exempt(candidate.labels, candidate.open));  // takes the census
+  warp(labelling, aim);
+  unfold(labelling);
+  if (options_.insert_leftover) reach(labelling);
+  candidate.inserted += labelling.counts.reached;
+  candidate.hold = costs.hold;
+  candidate.surface = surface_of(candidate.labels, candidate.open);
+  return measured(std::move(candidate));
+}
+
+// Rounds of field, cut and film.
 void Pipeline::rounds(Candidate& best) {
-  if (options_.field == FieldMethod::None) return;
+  if (options_.field == FieldMethod::None || best.surface.triangles.empty()) return;
   for (int round = 0; round < options_.max_rounds && !needs_no_round(best); ++round) {
     ++report_.rounds;
-    monitor_.enter("field", 0.5 + 0.45 * round / options_.max_rounds);
-    const std::vector<double> belief = film_belief(best.surface);
-    // Poisson's surface is taken as it is; only sculpting weighs it against the evidence.
-    Candidate next = measured(cut(belief, options_.field == FieldMethod::Poisson ? 1e6 : kConviction, open_));
+    monitor_.progress(0.5 + 0.45 * round / options_.max_rounds);
+    Candidate next = after_last_step(without_dangling(best));
     // The first round is the paper's, whatever its score; the others must improve it.
     if (next.surface.triangles.empty() || (round > 0 && !(next.score() < best.score()))) break;
     best = std::move(next);
@@ -726,7 +762,7 @@ FoundSurface Pipeline::run(Tetrahedra tetrahedra) {
     best = labelling(std::move(guess));
     show(best.surface);
   } else {
-    best = with_insertions(film_from_outside());
+    best = film_from_outside();
     rounds(best);
   }
   report_.inserted = best.inserted;

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "delaunay/power_diagram.h"
 #include "delaunay/tetrahedral_mesh.h"
 #include "evidence/depth_image.h"
 #include "evidence/facet_evidence.h"
+#include "film/film.h"
 #include "filmsticking/options.h"
 #include "geometry/monitor.h"
 #include "geometry/surface.h"
@@ -76,7 +76,10 @@ class Pipeline {
   std::vector<double> off_prices() const;
   std::vector<double> ball_belief(double limit, double slope) const;
   std::vector<double> winding_belief(const Surface& film) const;
-  std::vector<double> film_belief(const Surface& film) const;
+  std::vector<double> belief_of(const std::vector<char>& labels) const;
+  std::vector<double> held(std::vector<double> belief, double conviction) const;
+  void use_normals_of(const Surface& surface);
+  std::vector<char> film_from_sphere();
 
   // Labellings.
   Candidate labelling(std::vector<double> guess);
@@ -111,10 +114,11 @@ class Pipeline {
 
   // The paper's film.
   std::vector<std::function<Surface()>> first_films() const;
-  Surface film_from_outside();
-  Surface evolve(Surface film, const std::vector<Vec3>& sites, int max_steps, bool weights);
-  std::vector<Vec3> with_virtual_sites(const Surface& film) const;
-  Candidate with_insertions(Surface film);
+  FilmOptions film_options();
+  Candidate film_from_outside();
+  Candidate manifold_film(std::vector<char> labels);
+  Candidate without_dangling(const Candidate& film);
+  Candidate after_last_step(Candidate candidate);
   void rounds(Candidate& best);
   void show(const Surface& surface) const;
 
@@ -125,7 +129,6 @@ class Pipeline {
   Monitor& monitor_;
   Report& report_;
   const bool open_;  // Options::open_boundary
-  PowerDiagram voronoi_;
   TetrahedralMesh mesh_;
   // By the normals of neighbourhoods at first; refined() replaces it by the normals of its best surface.
   FacetEvidence evidence_;

@@ -6,12 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "film/dual_complex.h"
-#include "film/film.h"
-#include "film/initial_surface.h"
 #include "filmsticking/reconstruct.h"
-#include "geometry/triangle_adjacency.h"
-#include "points/site_set.h"
 #include "support/clean_clouds.h"
 
 namespace filmsticking {
@@ -21,27 +16,15 @@ TEST(Counters, OfFilmStepsKeepTheirBounds) {
   for (const auto& [name, points] : test::clean_clouds()) {
     if (name.find('1') == std::string::npos) continue;
     SCOPED_TRACE(name);
-    const SiteSet set = make_site_set(points);
-    const PowerDiagram diagram = DelaunayTriangulation(set.perturbed).voronoi();
-    Surface film = bounding_sphere(set.perturbed);
-    for (int step = 0; step < 12 && !film.triangles.empty(); ++step) {
-      const auto restricted = restrict_power_diagram(
-          film, half_edge_twins(film.triangles, static_cast<Index>(film.positions.size())), diagram);
-      const HalfEdgeComplex dual = dual_complex(film, restricted, diagram);
-      RepairCounts counts;
-      film = surface_of_sites(repair_half_edges(dual, diagram.position, RingChoice::Smooth, counts),
-                              diagram.position);
-      const auto cut = static_cast<std::int64_t>(dual.point.size()),
-                 left = static_cast<std::int64_t>(film.triangles.size());
-      EXPECT_EQ(restricted.jumps, 0);
-      // What is removed takes two triangles along at least, and nothing adds any.
-      EXPECT_LE(left, cut - 2 * (counts.surplus_regions + counts.thin_regions));
-      EXPECT_EQ(counts.cuts, 0);
-      EXPECT_LE(counts.flips, cut / 100);
-      // Each site of these is met from outside at once, in one region.
-      if (name.find("sphere") == 0 || name.find("even") == 0) {
-        EXPECT_EQ(counts.total(), 0);
-      }
+    const Result result = reconstruct(points, Options::paper());
+    ASSERT_EQ(result.status, Status::Ok) << result.message;
+    const Report& r = result.report;
+    ASSERT_FALSE(r.steps.empty());
+    for (const StepRecord& step : r.steps) {
+      EXPECT_LE(step.attracted, r.sites);
+      EXPECT_LE(step.virtual_left, 1000);
+      EXPECT_LE(step.weighted, r.sites);
+      EXPECT_LE(step.held, r.tetrahedra);
     }
   }
 }

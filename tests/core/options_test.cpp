@@ -55,8 +55,17 @@ TEST(Options, ThePaperIsAFilmFromTheSphereWithOnePoissonRound) {
   EXPECT_EQ(paper.virtual_sites, 1000);
   EXPECT_EQ(paper.max_rounds, 1);
   EXPECT_TRUE(paper.weights);
-  EXPECT_FALSE(paper.insert_leftover);
-  EXPECT_FALSE(paper.sharp_edges);
+  EXPECT_TRUE(paper.sharp_edges);
+}
+
+TEST(Options, RdHasNeitherWeightsNorVirtualSitesAndSculpts) {
+  const Options rd = Options::rd();
+  EXPECT_EQ(method_of(rd), Method::Film);
+  EXPECT_EQ(rd.field, FieldMethod::Sculpt);
+  EXPECT_EQ(rd.ring, RingChoice::Nearest);
+  EXPECT_EQ(rd.virtual_sites, 0);
+  EXPECT_FALSE(rd.weights);
+  EXPECT_GT(rd.max_rounds, 1);
 }
 
 }  // namespace

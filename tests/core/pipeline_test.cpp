@@ -92,7 +92,7 @@ TEST(Pipeline, AClosedSphereIsAcceptedAtTheFirstCut) {
     expect_surface_of_sites(found, true);
     EXPECT_EQ(sphere.share_on(found.surface), 1);
     EXPECT_FALSE(found.viewpoint);
-    for (const char* stage : {"two sides", "carving", "gaps", "film"})
+    for (const char* stage : {"two sides", "carving", "gaps", "first surface"})
       EXPECT_FALSE(sphere.entered(stage)) << stage;
   }
 }
@@ -186,7 +186,7 @@ TEST(Pipeline, WithoutAnInsideTheFilmFromTheSphereIsTried) {
     Setting scattered(test::awkward(seed));
     const FoundSurface found = scattered.run();
     expect_surface_of_sites(found, true);
-    films += scattered.entered("film") && !scattered.report.steps.empty();
+    films += scattered.entered("first surface") && !scattered.report.steps.empty();
   }
   EXPECT_GE(films, 1);
 }

@@ -71,7 +71,7 @@ void expect_same(const Result& one, const Result& other) {
   for (std::size_t i = 0; i < one.report.steps.size(); ++i) {
     EXPECT_EQ(one.report.steps[i].attracted, other.report.steps[i].attracted);
     EXPECT_EQ(one.report.steps[i].weighted, other.report.steps[i].weighted);
-    EXPECT_EQ(one.report.steps[i].regions_repaired, other.report.steps[i].regions_repaired);
+    EXPECT_EQ(one.report.steps[i].held, other.report.steps[i].held);
   }
 }
 

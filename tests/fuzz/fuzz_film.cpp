@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes as a closed manifold, sites and weights: film steps end, on a closed manifold of sites.
+// Any bytes as a closed manifold, sites and weights: film steps end, on a closed film.
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "film/attraction_weights.h"
-#include "film/film.h"
+#include "film/film_step.h"
+#include "film/initial_surface.h"
 #include "filmsticking/reconstruct.h"
 #include "geometry/triangle_adjacency.h"
 #include "target.h"
@@ -115,40 +118,36 @@ Clay take_clay(ByteReader& bytes) {
   return clay;
 }
 
-std::string fault_of(const Surface& film, const PowerDiagram& diagram) {
-  if (film.triangles.empty()) return "";
-  if (!check_manifold(film.triangles, static_cast<Index>(film.positions.size())).ok())
-    return "the film is no closed manifold";
-  std::vector<Index> sites = film.site;
-  std::sort(sites.begin(), sites.end());
-  if (std::adjacent_find(sites.begin(), sites.end()) != sites.end()) return "a site stands on two vertices";
-  if (sites.front() < 0 || sites.back() >= static_cast<Index>(diagram.position.size()))
-    return "a vertex is no site";
+std::string fault_of(const LabelledFilm& film) {
+  const Tetrahedra& tets = film.complex->tetrahedra();
+  if (film.inside.size() != tets.size()) return "a tetrahedron has no label";
+  for (std::size_t t = 0; t < tets.size(); ++t)
+    if (film.inside[t] && tets.infinite(static_cast<Index>(t))) return "the film is not closed";
   return "";
 }
 
 /// Steps by any weights, then by those that attract.
-void step(Surface film, const std::vector<Vec3>& sites, ByteReader& bytes) {
+void step(const Surface& first, const std::vector<Vec3>& sites, ByteReader& bytes) {
   std::vector<double> weights;
-  std::vector<char> present;
-  for (std::size_t s = 0; s < sites.size(); ++s) {
-    const int weight = bytes.take<std::int8_t>();
-    present.push_back(weight != 0);
-    weights.push_back(weight / 16.0);
-  }
-  PowerDiagram diagram = weighted_power_diagram(sites, weights, present);
-  for (int k = 0; k < 4 && !film.triangles.empty(); ++k) {
-    RepairCounts counts;
-    film = film_step(film, diagram, k % 2 != 0 ? RingChoice::Nearest : RingChoice::Smooth, counts);
-    require_no_fault(fault_of(film, diagram));
-    std::vector<char> on(sites.size(), 0);
-    for (const Index s : film.site) on[s] = 1;
+  for (std::size_t s = 0; s < sites.size(); ++s) weights.push_back(bytes.take<std::int8_t>() / 16.0);
+  const std::vector<double> spacing(sites.size(), 0.1);
+  const auto complex_of = [&] {
+    return std::make_shared<const PowerComplex>(sites, weights, TriangulationLimits{});
+  };
+  auto complex = complex_of();
+  if (complex->size() == 0) return;
+  LabelledFilm film = film_within(enclosure(first), complex);
+  for (int k = 0; k < 4; ++k) {
+    std::int64_t held = 0;
+    film = film_step(film, complex, spacing, k % 2 == 0, held);
+    require_no_fault(fault_of(film));
     std::vector<Index> off;
+    const std::vector<char> sides = site_sides(film);
     for (std::size_t s = 0; s < sites.size(); ++s)
-      if (!on[s]) off.push_back(static_cast<Index>(s));
-    if (film.triangles.empty()) break;
-    attraction_weights(film, sites, off, weights);
-    diagram = weighted_power_diagram(sites, weights, std::vector<char>(sites.size(), 1));
+      if (sides[s] != kOnFilm) off.push_back(static_cast<Index>(s));
+    weights = attraction_weights(film_surface(film, sites.size()), sites, off);
+    complex = complex_of();
+    if (complex->size() == 0) return;
   }
 }
 

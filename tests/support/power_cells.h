@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random sites, and the owner of a place by brute force.
+// Random sites, and their powers by brute force.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "clouds.h"
-#include "delaunay/power_diagram.h"
+#include "geometry/vec.h"
 
 namespace filmsticking::test {
 
@@ -19,11 +19,10 @@ inline std::vector<Vec3> random_sites(int n, std::uint64_t seed) {
   return sites;
 }
 
-inline Index brute_owner(const PowerDiagram& diagram, const Vec3& x, const std::vector<char>& present) {
-  Index best = kNone;
-  for (Index i = 0; i < static_cast<Index>(diagram.position.size()); ++i)
-    if (present[i] && (best == kNone || diagram.power(i, x) < diagram.power(best, x))) best = i;
-  return best;
+// |x-p|^2 - w of a site; `weights` may be empty.
+inline double power(const std::vector<Vec3>& sites, const std::vector<double>& weights, std::size_t i,
+                    const Vec3& x) {
+  return (x - sites[i]).squaredNorm() - (weights.empty() ? 0 : weights[i]);
 }
 
 }  // namespace filmsticking::test

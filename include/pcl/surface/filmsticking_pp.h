@@ -236,7 +236,7 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   /** \name All options at once */
   ///@{
 
-  /** \brief Set all options, for example Options::paper(). */
+  /** \brief Set all options, for example Options::paper() or Options::rd(). */
   void setOptions(const Options& options) { options_ = options; }
 
   /** \brief Get all options. */
@@ -316,10 +316,10 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   /** \brief Get how a film loses its dangling plates and its topology is corrected. */
   FieldMethod getFieldMethod() const { return options_.field; }
 
-  /** \brief Set which ring of triangles a site keeps if it owns several regions of the film. */
+  /** \brief Set what gives way where a site would own several regions of the film. */
   void setRingChoice(RingChoice ring) { options_.ring = ring; }
 
-  /** \brief Get which ring of triangles a site keeps if it owns several regions of the film. */
+  /** \brief Get what gives way where a site would own several regions of the film. */
   RingChoice getRingChoice() const { return options_.ring; }
 
   /** \brief Set the number of virtual sites, or Options::kAdaptiveVirtualSites. */

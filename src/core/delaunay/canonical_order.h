@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "delaunay/power_diagram.h"
+#include "delaunay/tetrahedra.h"
 
 namespace filmsticking {
 

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "delaunay/canonical_order.h"
+#include "delaunay/regular.h"
 #include "delaunay/tetrahedral_mesh.h"
 #include "geometry/parallel.h"
 
@@ -524,41 +525,8 @@ bool incremental_delaunay(const std::vector<Vec3>& sites, Tetrahedra& tets,
 
 Tetrahedra delaunay_tetrahedra(const std::vector<Vec3>& sites, const TriangulationLimits& limits) {
   Tetrahedra tets;
-  if (!incremental_delaunay(sites, tets, limits)) {
-    const DelaunayTriangulation triangulation(sites, limits);
-    if (triangulation.dimension() == 3) tets = triangulation.tetrahedra();
-  }
+  if (!incremental_delaunay(sites, tets, limits)) tets = regular_tetrahedra(sites, {}, limits);
   return in_canonical_order(std::move(tets), sites.size());
-}
-
-PowerDiagram voronoi_diagram(const Tetrahedra& tets, const std::vector<Vec3>& sites) {
-  PowerDiagram diagram;
-  diagram.position = sites;
-  // Both directions of every edge, once per tetrahedron around it, grouped by the first site.
-  std::vector<Index> offset(sites.size() + 1, 0), all;
-  const auto each_pair = [&](const auto& pair) {
-    for (const auto& c : tets.corners)
-      for (const Index a : c)
-        for (const Index b : c)
-          if (a != kNone && b != kNone && a != b) pair(a, b);
-  };
-  each_pair([&](Index a, Index) { ++offset[a + 1]; });
-  for (std::size_t i = 1; i < offset.size(); ++i) offset[i] += offset[i - 1];
-  all.resize(static_cast<std::size_t>(offset.back()));
-  std::vector<Index> end(offset.begin(), offset.end() - 1);
-  each_pair([&](Index a, Index b) { all[end[a]++] = b; });
-  parallel_each(sites.size(), [&](std::size_t i) {
-    std::sort(all.begin() + offset[i], all.begin() + end[i]);
-    end[i] = static_cast<Index>(std::unique(all.begin() + offset[i], all.begin() + end[i]) - all.begin());
-  });
-  diagram.offset.assign(1, 0);
-  for (std::size_t i = 0; i < sites.size(); ++i) {
-    diagram.neighbour.insert(diagram.neighbour.end(), all.begin() + offset[i], all.begin() + end[i]);
-    diagram.offset.push_back(static_cast<Index>(diagram.neighbour.size()));
-    if (diagram.any_site == kNone && diagram.has_cell(static_cast<Index>(i)))
-      diagram.any_site = static_cast<Index>(i);
-  }
-  return diagram;
 }
 
 }  // namespace filmsticking

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "delaunay/power_diagram.h"
+#include "delaunay/tetrahedra.h"
 #include "geometry/work_limits.h"
 
 namespace filmsticking {
@@ -24,8 +24,5 @@ Tetrahedra delaunay_tetrahedra(const std::vector<Vec3>& sites, const Triangulati
 /// exact.
 bool incremental_delaunay(const std::vector<Vec3>& sites, Tetrahedra& tets,
                           const TriangulationLimits& limits = {});
-
-/// The Voronoi diagram that is dual to Delaunay tetrahedra of the sites.
-PowerDiagram voronoi_diagram(const Tetrahedra& tets, const std::vector<Vec3>& sites);
 
 }  // namespace filmsticking

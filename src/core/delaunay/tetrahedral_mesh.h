@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "delaunay/power_diagram.h"
+#include "delaunay/tetrahedra.h"
 
 namespace filmsticking {
 

@@ -10,11 +10,8 @@
 #include "geometry/triangle_circle.h"
 
 namespace filmsticking {
-namespace {
-
-// Radius of the smallest empty ball through the facet's corners, over their largest spacing.
-double gate_width(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
-                  const std::vector<double>& spacing, Index t, int k) {
+double facet_width(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
+                   const std::vector<double>& spacing, Index t, int k) {
   const auto& corners = mesh.tets.corners[t];
   const Index i = corners[kFacet[k][0]], j = corners[kFacet[k][1]], l = corners[kFacet[k][2]];
   if (i == kNone || j == kNone || l == kNone) return std::numeric_limits<double>::infinity();
@@ -28,11 +25,8 @@ double gate_width(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
   if (own_side_t && own_side_u) {
     if (normal.squaredNorm() > 0) radius = std::sqrt(circumradius2(a, b, c));
   }
-  // The largest spacing: facets of a coarse region must not look wide beside a fine one.
   return radius / std::max({spacing[i], spacing[j], spacing[l], 1e-300});
 }
-
-}  // namespace
 
 std::vector<double> ball_widths(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
                                 const std::vector<double>& spacing, double least, double most) {
@@ -42,7 +36,7 @@ std::vector<double> ball_widths(const TetrahedralMesh& mesh, const std::vector<V
     for (int k = 0; k < 4; ++k)
       if (mesh.mirror[t][k] > static_cast<Index>(4 * t) + k)
         gate[t][k] = static_cast<float>(
-            std::clamp(gate_width(mesh, sites, spacing, static_cast<Index>(t), k), least, most));
+            std::clamp(facet_width(mesh, sites, spacing, static_cast<Index>(t), k), least, most));
   });
   parallel_each(mesh.size(), [&](std::size_t t) {
     for (int k = 0; k < 4; ++k)

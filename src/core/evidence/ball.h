@@ -17,4 +17,10 @@ namespace filmsticking {
 std::vector<double> ball_widths(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
                                 const std::vector<double>& spacing, double least, double most);
 
+/// The narrowest place of a facet: the radius of the smallest empty ball through its corners, over the
+/// largest spacing of these. Infinite for facets with the infinite vertex. The largest spacing, so that
+/// facets of a coarse region do not look wide beside a fine one.
+double facet_width(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
+                   const std::vector<double>& spacing, Index t, int k);
+
 }  // namespace filmsticking

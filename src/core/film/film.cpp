@@ -3,156 +3,151 @@
 
 #include <algorithm>
 #include <chrono>
-#include <unordered_set>
+#include <memory>
 #include <utility>
 
 #include "film/attraction_weights.h"
-#include "film/dual_complex.h"
-#include "film/restricted_power_diagram.h"
-#include "geometry/triangle_adjacency.h"
+#include "film/virtual_sites.h"
 
 namespace filmsticking {
-
-std::uint64_t connectivity_hash(const Surface& film) {
-  std::uint64_t h = 1469598103934665603ULL;
-  for (const Corners& t : film.triangles)
-    for (Index v : t) h = (h ^ static_cast<std::uint64_t>(film.site[v] + 1)) * 1099511628211ULL, h ^= h >> 29;
-  return h;
-}
-
-Surface film_step(const Surface& film, const PowerDiagram& diagram, RingChoice ring, RepairCounts& counts) {
-  if (diagram.any_site == kNone || film.triangles.empty()) return {};
-  std::vector<Index> twin = half_edge_twins(film.triangles, static_cast<Index>(film.positions.size()));
-  const RestrictedPowerDiagram restricted = restrict_power_diagram(film, std::move(twin), diagram);
-  const HalfEdgeComplex dual = dual_complex(film, restricted, diagram);
-  return surface_of_sites(repair_half_edges(dual, diagram.position, ring, counts), diagram.position);
-}
-
 namespace {
 
-// After so many steps without a further site on the film it counts as stalled.
-constexpr std::int64_t kPatience = 3;
-
-std::vector<Index> sites_off(const Surface& film, std::size_t points) {
-  std::vector<char> on(points, 0);
-  for (Index s : film.site)
-    if (s != kNone && static_cast<std::size_t>(s) < points) on[s] = 1;
-  std::vector<Index> off;
-  for (std::size_t s = 0; s < points; ++s)
-    if (!on[s]) off.push_back(static_cast<Index>(s));
-  return off;
-}
+// A step that brings fewer than this share of the points onto the film is one without a rise. Halved or
+// doubled: 5K, 53 models, the film ends a step later or earlier.
+constexpr double kRise = 0.001;
+// After so many steps without a rise the film counts as stalled.
+constexpr int kPatience = 2;
 
 class Evolution {
  public:
-  Evolution(Surface film, const std::vector<Vec3>& sites, std::size_t points, const PowerDiagram& voronoi,
+  Evolution(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites, const std::vector<double>& spacing,
             const FilmOptions& options)
-      : film_(std::move(film)),
-        sites_(sites),
-        points_(points),
-        voronoi_(voronoi),
+      : points_(sites),
+        spacing_(spacing),
         options_(options),
-        present_(sites.size(), 1),
-        virtual_left_(static_cast<std::int64_t>(sites.size() - points)) {
-    if (virtual_left_ == 0) return;
-    triangulation_ = std::make_unique<DelaunayTriangulation>(sites);
-    with_virtual_ = triangulation_->voronoi();
+        plain_(std::make_shared<const PowerComplex>(sites, mesh.tets)) {}
+
+  void start(const std::function<bool(const Vec3&)>& contains, const TetrahedralMesh& mesh) {
+    std::vector<Vec3> sites = points_;
+    if (options_.virtual_sites != 0) {
+      std::vector<char> inside(mesh.size(), 0);
+      for (std::size_t t = 0; t < mesh.size(); ++t)
+        inside[t] =
+            static_cast<char>(!mesh.tets.infinite(static_cast<Index>(t)) && contains(mesh.circumcentre[t]));
+      const std::vector<Vec3> extra = virtual_sites(mesh, spacing_, options_.virtual_sites, inside);
+      sites.insert(sites.end(), extra.begin(), extra.end());
+    }
+    film_ = film_within(contains, complex_of(std::move(sites), {}));
+    first_ = film_within(contains, plain_);
+    if (std::count(first_.inside.begin(), first_.inside.end(), 1) > 0) return;
+    // The points are so flat that all orthocentres are far away: their hull is the film.
+    for (std::size_t t = 0; t < first_.inside.size(); ++t)
+      first_.inside[t] = static_cast<char>(!plain_->tetrahedra().infinite(static_cast<Index>(t)));
   }
 
-  // Ends: virtual sites only leave. Between two stalls kPatience bounds the steps for each rise of best_on_.
-  // A stall without a rise since the stall before is the last, and max_steps bounds it all.
-  Surface run() {
-    for (int step = 0; step < options_.max_steps; ++step) {
+  void start(std::vector<char> labels) { film_ = first_ = {plain_, std::move(labels)}; }
+
+  // Ends: virtual sites only leave, a phase ends by kPatience for each rise, and there are two.
+  std::vector<char> run() {
+    bool weighted = false;
+    std::size_t best = 0;
+    int without_rise = 0;
+    std::vector<char> sides = site_sides(film_);
+    for (int step = 1; step < options_.max_steps; ++step) {
+      options_.limits.cancel();
+      if (without_rise == (weighted ? 1 : kPatience)) {
+        if (weighted || !options_.weights) break;
+        weighted = true, without_rise = 0;
+      }
       const auto start = std::chrono::steady_clock::now();
       StepRecord record;
-      record.round = options_.round;
-      Surface next = next_film(record);
-      if (next.triangles.empty()) break;
-      const bool left = release_virtual_sites(next);
-      film_ = std::move(next);
-      record.attracted = sites_on(film_, points_);
-      record.virtual_left = virtual_left_;
-      record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      if (options_.after_step && !options_.after_step(record, film_)) break;
-      if (!goes_on(record.attracted, left)) break;
+      std::shared_ptr<const PowerComplex> complex =
+          weighted ? attracting(sides, record) : kept_sites(sides, record);
+      if (weighted && record.weighted == 0) break;
+      const std::size_t on = advance(std::move(complex), sides, record);
+      const auto enough = static_cast<std::size_t>(kRise * static_cast<double>(points_.size()));
+      without_rise = on > best + enough ? 0 : without_rise + 1;
+      best = std::max(best, on);
+      finish(record, start);
     }
-    return std::move(film_);
+    if (film_.complex != plain_) {
+      const auto start = std::chrono::steady_clock::now();
+      StepRecord record;
+      advance(plain_, sides, record);
+      finish(record, start);
+    }
+    return std::move(film_.inside);
   }
 
  private:
-  Surface next_film(StepRecord& record) const {
-    const PowerDiagram* diagram = virtual_left_ > 0 ? &with_virtual_ : &voronoi_;
-    PowerDiagram weighted;
-    if (weighted_next_) {
-      std::vector<double> weights;
-      record.weighted =
-          static_cast<std::int64_t>(attraction_weights(film_, sites_, sites_off(film_, points_), weights));
-      weighted = weighted_power_diagram(sites_, weights, present_);
-      diagram = &weighted;
-    }
-    RepairCounts counts;
-    Surface next = film_step(film_, *diagram, options_.ring, counts);
-    record.regions_repaired = counts.total();
-    return next;
+  std::shared_ptr<const PowerComplex> complex_of(std::vector<Vec3> sites, std::vector<double> weights) const {
+    if (weights.empty() && sites.size() == points_.size()) return plain_;
+    return std::make_shared<const PowerComplex>(std::move(sites), std::move(weights), options_.limits);
   }
 
-  // Removes from the diagram the virtual sites that are on the film. Did any leave?
-  bool release_virtual_sites(Surface& film) {
-    bool left = false;
-    for (Index& s : film.site)
-      if (s != kNone && static_cast<std::size_t>(s) >= points_) {
-        triangulation_->remove(s);
-        present_[s] = 0, left = true, --virtual_left_;
-        s = kNone;  // its place stays a vertex of the film, of no site, until the next step
-      }
-    if (left && virtual_left_ > 0) with_virtual_ = triangulation_->voronoi();
-    return left;
+  // The points, and the virtual sites that are inside the film still.
+  std::shared_ptr<const PowerComplex> kept_sites(const std::vector<char>& sides, StepRecord& record) const {
+    const std::vector<Vec3>& old = film_.complex->sites();
+    std::vector<Vec3> sites = points_;
+    for (std::size_t v = points_.size(); v < old.size(); ++v)
+      if (sides[v] == kInsideFilm) sites.push_back(old[v]);
+    record.virtual_left = static_cast<std::int64_t>(sites.size() - points_.size());
+    return sites.size() == old.size() ? film_.complex : complex_of(std::move(sites), {});
   }
 
-  bool goes_on(std::int64_t on, bool virtual_site_left) {
-    const bool all_on = on == static_cast<std::int64_t>(points_);
-    const bool repeated = !seen_.insert(connectivity_hash(film_)).second;
-    since_best_ = on > best_on_ ? 0 : since_best_ + 1;
-    best_on_ = std::max(best_on_, on);
-    const bool was_weighted = std::exchange(weighted_next_, false);  // weights only overcome a stall
-    if (all_on && virtual_left_ > 0) {
-      // With all points on the film, the remaining virtual sites go (paper, section 4.3).
-      virtual_left_ = 0;
-      std::fill(present_.begin() + static_cast<std::ptrdiff_t>(points_), present_.end(), 0);
-      seen_.clear();
-      return true;
-    }
-    // A virtual site that left changes the next step even where the film looks the same.
-    if (virtual_site_left || was_weighted || (!repeated && since_best_ < kPatience)) return true;
-    if (!options_.weights || all_on || best_on_ <= best_at_stall_) return false;
-    best_at_stall_ = best_on_;
-    weighted_next_ = true;
-    since_best_ = 0;
-    seen_.clear();
-    return true;
+  // The points alone, with weights for those inside the film.
+  std::shared_ptr<const PowerComplex> attracting(const std::vector<char>& sides, StepRecord& record) const {
+    std::vector<Index> off;
+    for (std::size_t v = 0; v < points_.size(); ++v)
+      if (sides[v] == kInsideFilm || sides[v] == 0) off.push_back(static_cast<Index>(v));
+    record.weighted = static_cast<std::int64_t>(off.size());
+    if (off.empty()) return plain_;
+    return complex_of(points_, attraction_weights(film_surface(film_, points_.size()), points_, off));
   }
 
-  Surface film_;
-  const std::vector<Vec3>& sites_;
-  const std::size_t points_;
-  const PowerDiagram& voronoi_;
+  // Returns the number of points on the film.
+  std::size_t advance(std::shared_ptr<const PowerComplex> complex, std::vector<char>& sides,
+                      StepRecord& record) {
+    LabelledFilm next = film_step(film_, std::move(complex), spacing_, options_.memory, record.held);
+    // A film that ran past all points, as where they are on a curve, stays as it was.
+    const bool lost = std::count(next.inside.begin(), next.inside.end(), 1) == 0;
+    if (!lost || next.complex == plain_) film_ = std::move(next);
+    if (lost && film_.complex == plain_) film_ = first_;
+    sides = site_sides(film_);
+    const auto end = sides.begin() + static_cast<std::ptrdiff_t>(points_.size());
+    record.attracted = std::count(sides.begin(), end, kOnFilm);
+    return static_cast<std::size_t>(record.attracted);
+  }
+
+  void finish(StepRecord& record, std::chrono::steady_clock::time_point start) const {
+    record.round = options_.round;
+    record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (options_.after_step) options_.after_step(record, film_);
+  }
+
+  const std::vector<Vec3>& points_;
+  const std::vector<double>& spacing_;
   const FilmOptions& options_;
-  std::vector<char> present_;
-  std::int64_t virtual_left_;
-  // While there are virtual sites: a triangulation that they can leave, and its diagram.
-  std::unique_ptr<DelaunayTriangulation> triangulation_;
-  PowerDiagram with_virtual_;
-  // Every film met since the last stall. Coming back to one means that nothing new will happen.
-  std::unordered_set<std::uint64_t> seen_;
-  bool weighted_next_ = false;
-  std::int64_t best_on_ = -1, since_best_ = 0, best_at_stall_ = -1;
+  const std::shared_ptr<const PowerComplex> plain_;  // of the points alone
+  LabelledFilm film_, first_;                        // first_: the start, of the points alone
 };
 
 }  // namespace
 
-Surface evolve_film(Surface film, const std::vector<Vec3>& sites, std::size_t points,
-                    const PowerDiagram& voronoi, const FilmOptions& options) {
-  return Evolution(std::move(film), sites, points, voronoi, options).run();
+std::vector<char> evolve_film(const std::function<bool(const Vec3&)>& contains, const TetrahedralMesh& mesh,
+                              const std::vector<Vec3>& sites, const std::vector<double>& spacing,
+                              const FilmOptions& options) {
+  Evolution evolution(mesh, sites, spacing, options);
+  evolution.start(contains, mesh);
+  return evolution.run();
+}
+
+std::vector<char> evolve_film(std::vector<char> labels, const TetrahedralMesh& mesh,
+                              const std::vector<Vec3>& sites, const std::vector<double>& spacing,
+                              const FilmOptions& options) {
+  Evolution evolution(mesh, sites, spacing, options);
+  evolution.start(std::move(labels));
+  return evolution.run();
 }
 
 }  // namespace filmsticking

@@ -3,41 +3,42 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <vector>
 
-#include "delaunay/power_diagram.h"
-#include "film/half_edge_repair.h"
+#include "delaunay/tetrahedral_mesh.h"
+#include "film/film_step.h"
 #include "filmsticking/options.h"
 #include "filmsticking/report.h"
-#include "geometry/surface.h"
+#include "geometry/work_limits.h"
 
 namespace filmsticking {
 
-/// One film step (paper, section 4): divide the film by the power diagram, take the dual, repair it. A pure
-/// function. The result is a closed manifold whose vertices are sites of the diagram; empty if no three cells
-/// meet on the film. `counts`: receives what the repair did.
-Surface film_step(const Surface& film, const PowerDiagram& diagram, RingChoice ring, RepairCounts& counts);
-
-/// A hash of the triangles, by their sites.
-std::uint64_t connectivity_hash(const Surface& film);
-
 /// Options of evolve_film().
 struct FilmOptions {
-  RingChoice ring = RingChoice::Smooth;
-  bool weights = true;
+  /// Virtual sites, as in Options::virtual_sites. They are there from the first step, inside the film.
+  int virtual_sites = 0;
+  bool weights = true;  ///< attract what a stalled film leaves off (paper, section 4.2)
+  bool memory = true;   ///< as in film_step()
   int max_steps = 60;
-  int round = 0;                                                      ///< copied to every record
-  std::function<bool(const StepRecord&, const Surface&)> after_step;  ///< returns false to stop
+  int round = 0;                                                           ///< copied to every record
+  TriangulationLimits limits;                                              ///< of each step's triangulation
+  std::function<void(const StepRecord&, const LabelledFilm&)> after_step;  ///< optional
 };
 
-/// The entry of film/: evolves a film from a start by film steps until they change nothing more, until the
-/// film stalls or after max_steps. The start is any closed manifold around the sites (initial_surface.h).
+/// The entry of film/: evolves a film by film steps. Returns the labels of `mesh`, the Delaunay tetrahedra of
+/// `sites`; none inside if the film passes through the points. `spacing`: per site.
 ///
-/// `sites`: the points, then the virtual sites. `points`: the number of points. `voronoi`: the diagram of the
-/// points alone. A virtual site is removed when the film reaches it, and all are once every point is on the
-/// film (paper, section 4.3). Where the film stalls, weights attract the sites off it for one step (4.2).
-Surface evolve_film(Surface film, const std::vector<Vec3>& sites, std::size_t points,
-                    const PowerDiagram& voronoi, const FilmOptions& options);
+/// The first film is what `contains` says. Virtual sites that a step takes onto the film leave, and those
+/// outside it (paper, section 4.3). Where the film stalls, the rest leave, and the sites inside it get
+/// weights: the squares of their distances from it (section 4.2). It ends where weights stall, too, or after
+/// max_steps; the last step has neither weights nor virtual sites. Throws TooManyTetrahedra and Cancelled.
+std::vector<char> evolve_film(const std::function<bool(const Vec3&)>& contains, const TetrahedralMesh& mesh,
+                              const std::vector<Vec3>& sites, const std::vector<double>& spacing,
+                              const FilmOptions& options);
+
+/// The same from labels of the mesh instead of a first surface, with no virtual sites.
+std::vector<char> evolve_film(std::vector<char> labels, const TetrahedralMesh& mesh,
+                              const std::vector<Vec3>& sites, const std::vector<double>& spacing,
+                              const FilmOptions& options);
 
 }  // namespace filmsticking

@@ -9,9 +9,25 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <utility>
 
+#include "film/winding_number.h"
+
 namespace filmsticking {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+Kernel::Point_3 cgal_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+
+}  // namespace
+
+std::function<bool(const Vec3&)> enclosure(const Surface& surface) {
+  const auto winding = std::make_shared<const SurfaceWinding>(surface);
+  return [winding](const Vec3& x) { return (*winding)(x) > 0.5; };
+}
 
 Surface bounding_sphere(const std::vector<Vec3>& sites) {
   double radius = 0;
@@ -48,12 +64,10 @@ Surface bounding_sphere(const std::vector<Vec3>& sites) {
 }
 
 Surface alpha_wrap(const std::vector<Vec3>& sites, double alpha) {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using WrapMesh = CGAL::Surface_mesh<Kernel::Point_3>;
   std::vector<Kernel::Point_3> points;
   points.reserve(sites.size());
-  for (const Vec3& p : sites) points.emplace_back(p.x(), p.y(), p.z());
-  WrapMesh wrap;
+  for (const Vec3& p : sites) points.push_back(cgal_point(p));
+  CgalMesh wrap;
   // The last number is the wrap's distance from the points: alpha / 30, as CGAL advises.
   CGAL::alpha_wrap_3(points, alpha, alpha / 30, wrap);
 

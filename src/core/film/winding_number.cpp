@@ -4,18 +4,23 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "surface/surface_normals.h"
 
 namespace filmsticking {
+namespace {
 
-std::vector<Vec3> film_dipoles(const Surface& film, std::size_t sites) {
-  std::vector<Vec3> dipole(sites, Vec3::Zero());
-  for (const Corners& t : film.triangles) {
-    const Vec3 &a = film.positions[t[0]], &b = film.positions[t[1]], &c = film.positions[t[2]];
-    const Vec3 third = (b - a).cross(c - a) / 6;
-    for (Index v : t)
-      if (film.site[v] != kNone && static_cast<std::size_t>(film.site[v]) < sites)
-        dipole[film.site[v]] += third;
-  }
+// From 2.3 radii away a group counts as one dipole (Barill et al.).
+constexpr double kFar2 = 2.3 * 2.3;
+// Faces of a group that is not divided.
+constexpr Index kFewFaces = 4;
+
+}  // namespace
+
+std::vector<Vec3> film_dipoles(const Surface& film, const std::vector<double>& spacing) {
+  std::vector<Vec3> dipole = surface_normals(film, std::vector<Vec3>(spacing.size(), Vec3::Zero()));
+  for (std::size_t s = 0; s < spacing.size(); ++s) dipole[s] *= spacing[s] * spacing[s];
   return dipole;
 }
 
@@ -46,8 +51,6 @@ Index WindingNumber::build(Index begin, Index end) {
 }
 
 double WindingNumber::operator()(const Vec3& x) const {
-  // From 2.3 radii away a group counts as one dipole (Barill et al.).
-  constexpr double kFar2 = 2.3 * 2.3;
   double sum = 0;
   for (Index n = 0; n < static_cast<Index>(nodes_.size());) {  // ends: `skip` is ahead
     const Node& node = nodes_[n];
@@ -66,6 +69,57 @@ double WindingNumber::operator()(const Vec3& x) const {
         sum += dipole_[i].dot(q) / (q2 * std::sqrt(q2));
       }
     }
+    ++n;
+  }
+  return sum / (4 * M_PI);
+}
+
+SurfaceWinding::SurfaceWinding(Surface surface) : surface_(std::move(surface)) {
+  if (!surface_.triangles.empty()) build(0, static_cast<Index>(surface_.triangles.size()));
+}
+
+Index SurfaceWinding::build(Index begin, Index end) {
+  const auto n = static_cast<Index>(nodes_.size());
+  nodes_.emplace_back();
+  Node node;
+  node.begin = begin, node.end = end;
+  Eigen::AlignedBox3d box;
+  for (Index i = begin; i < end; ++i) {
+    node.dipole += surface_.area_vector2(i) / 2;
+    for (int k = 0; k < 3; ++k) box.extend(surface_.corner(i, k));
+  }
+  node.centre = box.center();
+  node.radius2 = box.diagonal().squaredNorm() / 4;
+  if (end - begin > kFewFaces) {
+    build(begin, begin + (end - begin) / 2);
+    build(begin + (end - begin) / 2, end);
+  }
+  node.skip = static_cast<Index>(nodes_.size());
+  nodes_[n] = node;
+  return n;
+}
+
+// Van Oosterom and Strackee, "The solid angle of a plane triangle", 1983.
+double SurfaceWinding::solid_angle(Index face, const Vec3& x) const {
+  const Vec3 a = surface_.corner(face, 0) - x, b = surface_.corner(face, 1) - x,
+             c = surface_.corner(face, 2) - x;
+  const double la = a.norm(), lb = b.norm(), lc = c.norm();
+  return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+}
+
+double SurfaceWinding::operator()(const Vec3& x) const {
+  double sum = 0;
+  for (Index n = 0; n < static_cast<Index>(nodes_.size());) {  // ends: `skip` is ahead
+    const Node& node = nodes_[n];
+    const Vec3 r = node.centre - x;
+    const double r2 = r.squaredNorm();
+    if (r2 > kFar2 * node.radius2) {
+      sum += node.dipole.dot(r) / (r2 * std::sqrt(r2));
+      n = node.skip;
+      continue;
+    }
+    if (node.skip == n + 1)
+      for (Index i = node.begin; i < node.end; ++i) sum += solid_angle(i, x);
     ++n;
   }
   return sum / (4 * M_PI);

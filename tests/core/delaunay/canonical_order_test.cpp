@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "delaunay/delaunay.h"
+#include "delaunay/regular.h"
 #include "support/power_cells.h"
 
 namespace filmsticking {
@@ -33,7 +34,7 @@ TEST(CanonicalOrder, ForgetsTheOrder) {
 
 TEST(CanonicalOrder, KeepsOrientationAndNeighbours) {
   const std::vector<Vec3> sites = test::random_sites(300, 4);
-  const Tetrahedra tets = in_canonical_order(DelaunayTriangulation(sites).tetrahedra(), sites.size());
+  const Tetrahedra tets = in_canonical_order(regular_tetrahedra(sites, {}), sites.size());
   for (std::size_t t = 0; t < tets.size(); ++t) {
     const auto& c = tets.corners[t];
     EXPECT_LT(static_cast<std::uint32_t>(c[0]), static_cast<std::uint32_t>(c[1]));

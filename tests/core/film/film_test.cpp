@@ -2,90 +2,94 @@
 #include "film/film.h"
 
 #include <gtest/gtest.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
+#include <vector>
 
 #include "film/initial_surface.h"
-#include "points/site_set.h"
 #include "support/clouds.h"
-#include "support/film_check.h"
+#include "support/field_setting.h"
 
 namespace filmsticking {
 namespace {
 
-TEST(FilmStep, EveryStepFromTheSphereIsAManifold) {
-  for (std::uint64_t seed = 0; seed < 150; ++seed) {
-    const SiteSet set = make_site_set(test::awkward(seed));
-    if (set.size() < 4) continue;
-    const PowerDiagram diagram = DelaunayTriangulation(set.perturbed).voronoi();
-    Surface film = bounding_sphere(set.perturbed);
-    for (int step = 0; step < 5 && !film.triangles.empty(); ++step) {
-      RepairCounts counts;
-      film = film_step(film, diagram, step % 2 ? RingChoice::Nearest : RingChoice::Smooth, counts);
-      if (!film.triangles.empty()) test::expect_manifold(film);
-    }
-  }
-}
+using Setting = test::FieldSetting;
 
-TEST(Film, ReachesEverySiteOfASphereAndIsStable) {
-  const SiteSet set = make_site_set(test::sphere(2000, 5));
-  const PowerDiagram diagram = DelaunayTriangulation(set.perturbed).voronoi();
-  FilmOptions options;
+/// An evolution from the bounding sphere, and what it recorded.
+struct Evolved {
+  std::vector<char> inside;
   std::vector<StepRecord> records;
-  options.after_step = [&](const StepRecord& r, const Surface&) { return records.push_back(r), true; };
-  const Surface film =
-      evolve_film(bounding_sphere(set.perturbed), set.perturbed, set.size(), diagram, options);
-  EXPECT_EQ(sites_on(film, set.size()), 2000);
-  ASSERT_FALSE(records.empty());
-  EXPECT_EQ(records.back().attracted, 2000);
-  RepairCounts counts;
-  EXPECT_EQ(connectivity_hash(film_step(film, diagram, RingChoice::Smooth, counts)), connectivity_hash(film));
+  std::int64_t on = 0;
+
+  Evolved(const Setting& s, FilmOptions options) {
+    options.after_step = [this](const StepRecord& record, const LabelledFilm&) { records.push_back(record); };
+    inside = evolve_film(enclosure(bounding_sphere(s.set.perturbed)), s.mesh, s.set.perturbed,
+                         s.geometry.spacing, options);
+    on = records.empty() ? 0 : records.back().attracted;
+  }
+};
+
+TEST(Film, ReachesEverySiteOfASphereAndIsAFixedPoint) {
+  const Setting s(test::sphere(2000, 5));
+  const Evolved run(s, {});
+  EXPECT_EQ(run.on, 2000);
+  FilmOptions options;
+  options.max_steps = 2;
+  EXPECT_EQ(evolve_film(run.inside, s.mesh, s.set.perturbed, s.geometry.spacing, options), run.inside);
 }
 
 // A sphere in a sphere, unconnected: plain steps stall on the outer one.
 TEST(Film, WeightsAttractWhatAStalledFilmLeaves) {
   auto points = test::sphere(1500, 6);
   for (const Point& p : test::sphere(300, 7, {0, 0, 0}, 0.6)) points.push_back(p);
-  const SiteSet set = make_site_set(points);
-  const PowerDiagram diagram = DelaunayTriangulation(set.perturbed).voronoi();
-  std::int64_t attracted[2];
-  for (const bool weights : {false, true}) {
-    FilmOptions options;
-    options.weights = weights;
-    attracted[weights] = sites_on(
-        evolve_film(bounding_sphere(set.perturbed), set.perturbed, set.size(), diagram, options), set.size());
+  const Setting s(points);
+  FilmOptions plain;
+  plain.weights = false;
+  const Evolved stalled(s, plain), weighted(s, {});
+  EXPECT_LT(stalled.on, 1800);
+  EXPECT_GT(
+      std::max_element(weighted.records.begin(), weighted.records.end(),
+                       [](const StepRecord& a, const StepRecord& b) { return a.attracted < b.attracted; })
+          ->attracted,
+      stalled.on);
+}
+
+// A torus whose bore a film spans at first.
+TEST(Film, VirtualSitesLeaveAndTakeFewerSteps) {
+  const Setting s(test::torus(3000, 8));
+  FilmOptions options;
+  options.virtual_sites = 300;
+  const Evolved run(s, options);
+  std::int64_t left = 300;
+  for (const StepRecord& record : run.records) {
+    EXPECT_LE(record.virtual_left, left);
+    left = record.virtual_left;
   }
-  EXPECT_LT(attracted[0], 1800);
-  EXPECT_GT(attracted[1], attracted[0]);
+  EXPECT_LT(left, 300);
+  EXPECT_GT(run.on, 2980);
 }
 
-TEST(Film, VirtualSitesLeaveAndNeverStay) {
-  const SiteSet set = make_site_set(test::sphere(800, 8));
-  std::vector<Vec3> sites = set.perturbed;
-  test::Random random(9);
-  for (int i = 0; i < 60; ++i)
-    sites.emplace_back(random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6));
-  const PowerDiagram diagram = DelaunayTriangulation(set.perturbed).voronoi();
+TEST(Film, KeepsMaxStepsAndCancels) {
+  const Setting s(test::sphere(500, 5));
   FilmOptions options;
-  std::int64_t left = 60;
-  options.after_step = [&](const StepRecord& r, const Surface&) {
-    EXPECT_LE(r.virtual_left, left);
-    left = r.virtual_left;
-    return true;
-  };
-  const Surface film = evolve_film(bounding_sphere(set.perturbed), sites, set.size(), diagram, options);
-  test::expect_manifold(film);
-  for (Index s : film.site) EXPECT_LT(s, static_cast<Index>(set.size()));
+  options.max_steps = 3;
+  EXPECT_LE(Evolved(s, options).records.size(), 3u);
+  const std::atomic<bool> stop{true};
+  options.limits.cancel = {&stop};
+  EXPECT_THROW(Evolved(s, options), Cancelled);
 }
 
-TEST(Film, StopsWhereTheCallerSaysSo) {
-  const SiteSet set = make_site_set(test::sphere(500, 5));
-  const PowerDiagram diagram = DelaunayTriangulation(set.perturbed).voronoi();
+TEST(Film, AnyNumberOfThreadsGivesTheSameLabels) {
+  auto points = test::torus(2000, 9);
+  for (const Point& p : test::sphere(300, 10, {0, 0, 0}, 0.2)) points.push_back(p);
+  const Setting s(points);
   FilmOptions options;
-  int steps = 0;
-  options.after_step = [&](const StepRecord&, const Surface&) { return ++steps < 2; };
-  evolve_film(bounding_sphere(set.perturbed), set.perturbed, set.size(), diagram, options);
-  EXPECT_EQ(steps, 2);
+  options.virtual_sites = 200;
+  std::vector<char> one;
+  tbb::task_arena(1).execute([&] { one = Evolved(s, options).inside; });
+  EXPECT_EQ(one, Evolved(s, options).inside);
 }
 
 }  // namespace
