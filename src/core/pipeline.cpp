@@ -708,7 +708,7 @@ Pipeline::Candidate Pipeline::manifold_film(std::vector<char> labels) {
   monitor_.enter("manifold", monitor_.share());
   Candidate film;
   const UnsetVector<std::array<float, 4>> prices = ring_prices(mesh_, evidence_, options_.ring);
-  const LabelCosts costs{prices, held(belief_of(labels), kConviction), off_prices()};
+  const LabelCosts costs{prices, std::vector<double>(mesh_.size(), 0), off_prices()};
   Labelling labelling(mesh_, geometry_, costs, labels, monitor_.cancel());
   repair(labelling);
   unfold(labelling);
