@@ -79,8 +79,7 @@ constexpr double kWrapAlpha = 0.05;
 // weights.
 constexpr std::int64_t kMostForFilm = 64;
 // Width of the narrowest place through which dense virtual sites lead a film, in spacings. Virtual sites keep
-// twice the spacing from all points (virtual_sites.h). It is the scale of chance gaps: measured on 53 models,
-// 1.5 leaks through them, 4 leaves cavities filled, and the field mends most of either.
+// twice the spacing from all points (virtual_sites.h).
 constexpr double kFilmWidth = 2;
 // Fraction of sites that a film must reach. Fewer: its start leaked or ran past the points; try the next one.
 constexpr double kReached = 0.5;

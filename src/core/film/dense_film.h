@@ -13,7 +13,7 @@ namespace filmsticking {
 ///  - a tetrahedron leaves if its circumcentre is outside (a film step without weights);
 ///  - it leaves through a facet to the outside whose smallest empty ball is at least `width` spacings wide. A
 ///    virtual site fits there, and the tetrahedron that it makes with the facet has its circumcentre outside.
-/// Both rules run over all tetrahedra at once; the result does not depend on the number of threads.
+/// The result does not depend on their order, nor on the number of threads.
 ///
 /// `spacing`: per site. `after_step`: if given, the rules run once a step, and it is called with the labels.
 std::vector<char> dense_film(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,

@@ -12,8 +12,7 @@
 namespace filmsticking {
 namespace {
 
-// A step that brings fewer than this share of the points onto the film is one without a rise. Halved or
-// doubled: 5K, 53 models, the film ends a step later or earlier.
+// A step that brings fewer than this share of the points onto the film is one without a rise.
 constexpr double kRise = 0.001;
 // After so many steps without a rise the film counts as stalled.
 constexpr int kPatience = 2;
@@ -109,10 +108,13 @@ class Evolution {
   std::size_t advance(std::shared_ptr<const PowerComplex> complex, std::vector<char>& sides,
                       StepRecord& record) {
     LabelledFilm next = film_step(film_, std::move(complex), spacing_, options_.memory, record.held);
-    // A film that ran past all points, as where they are on a curve, stays as it was.
-    const bool lost = std::count(next.inside.begin(), next.inside.end(), 1) == 0;
-    if (!lost || next.complex == plain_) film_ = std::move(next);
-    if (lost && film_.complex == plain_) film_ = first_;
+    // A film that ran past all points, as where they are on a curve, is not taken; among the points alone it
+    // starts again.
+    if (std::count(next.inside.begin(), next.inside.end(), 1) > 0) {
+      film_ = std::move(next);
+    } else if (next.complex == plain_ || film_.complex == plain_) {
+      film_ = first_;
+    }
     sides = site_sides(film_);
     const auto end = sides.begin() + static_cast<std::ptrdiff_t>(points_.size());
     record.attracted = std::count(sides.begin(), end, kOnFilm);
