@@ -142,18 +142,17 @@ constexpr double kPlainConflict = 0.75, kFarLessConflict = 0.25;
 // Fraction of area in bridge faces, if the result is to be closed: > 20 %, the lid.
 constexpr double kLid = 0.2;
 
-// The price of facets where a film is no manifold and one of its sides gives way (paper, section 4.4).
-UnsetVector<std::array<float, 4>> ring_prices(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
-                                              RingChoice ring) {
+// The prices of facets by which the farther region of a site gives way (RingChoice::Nearest): a region is as
+// far from its site as the dual edge, which joins the centres of the facet's two balls.
+UnsetVector<std::array<float, 4>> prices_by_distance(const TetrahedralMesh& mesh,
+                                                     const FacetEvidence& evidence) {
   UnsetVector<std::array<float, 4>> prices(mesh.size());
   parallel_each(mesh.size(), [&](std::size_t t) {
     for (int k = 0; k < 4; ++k) {
-      // A region of a site is as far from it as the dual edge, by which the two balls' centres are joined.
       const auto u = static_cast<std::size_t>(mesh.tets.neighbours[t][k]);
       const double nearest = std::min(mesh.circumradius[t], mesh.circumradius[u]);
-      prices[t][k] = ring == RingChoice::Smooth || !std::isfinite(nearest)
-                         ? evidence.cost[t][k]
-                         : static_cast<float>(evidence.area[t][k] * nearest);
+      prices[t][k] =
+          std::isfinite(nearest) ? static_cast<float>(evidence.area[t][k] * nearest) : evidence.cost[t][k];
     }
   });
   return prices;
@@ -706,8 +705,10 @@ Pipeline::Candidate Pipeline::film_from_outside() {
 Pipeline::Candidate Pipeline::manifold_film(std::vector<char> labels) {
   monitor_.enter("manifold", monitor_.share());
   Candidate film;
-  const UnsetVector<std::array<float, 4>> prices = ring_prices(mesh_, evidence_, options_.ring);
-  const LabelCosts costs{prices, std::vector<double>(mesh_.size(), 0), off_prices()};
+  UnsetVector<std::array<float, 4>> by_distance;
+  if (options_.ring == RingChoice::Nearest) by_distance = prices_by_distance(mesh_, evidence_);
+  const LabelCosts costs{options_.ring == RingChoice::Nearest ? by_distance : evidence_.cost,
+                         std::vector<double>(mesh_.size(), 0), off_prices()};
   Labelling labelling(mesh_, geometry_, costs, labels, monitor_.cancel());
   repair(labelling);
   unfold(labelling);

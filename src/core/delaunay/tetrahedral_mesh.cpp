@@ -7,13 +7,9 @@
 #include <utility>
 
 #include "geometry/parallel.h"
-#include "points/site_set.h"
 
 namespace filmsticking {
 namespace {
-
-// A thinner tetrahedron may be flat or inverted in exact coordinates. Above how far its corners were moved.
-constexpr double kFlat = 4 * kPerturbation;
 
 // Relative to the first corner, to keep the digits of small tetrahedra.
 Vec3 circumcentre(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {

@@ -5,12 +5,16 @@
 #include <vector>
 
 #include "delaunay/tetrahedra.h"
+#include "points/site_set.h"
 
 namespace filmsticking {
 
 /// Corners of the facet opposite corner k, counter-clockwise seen from outside a positively oriented
 /// tetrahedron.
 constexpr int kFacet[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
+/// A thinner tetrahedron may be flat or inverted in exact coordinates. Above how far its corners were moved.
+constexpr double kFlat = 4 * kPerturbation;
 
 /// Delaunay tetrahedra and their geometry.
 struct TetrahedralMesh {

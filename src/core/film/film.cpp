@@ -27,17 +27,13 @@ class Evolution {
         plain_(std::make_shared<const PowerComplex>(sites, mesh.tets)) {}
 
   void start(const std::function<bool(const Vec3&)>& contains, const TetrahedralMesh& mesh) {
-    std::vector<Vec3> sites = points_;
+    film_ = first_ = film_within(contains, plain_);
     if (options_.virtual_sites != 0) {
-      std::vector<char> inside(mesh.size(), 0);
-      for (std::size_t t = 0; t < mesh.size(); ++t)
-        inside[t] =
-            static_cast<char>(!mesh.tets.infinite(static_cast<Index>(t)) && contains(mesh.circumcentre[t]));
-      const std::vector<Vec3> extra = virtual_sites(mesh, spacing_, options_.virtual_sites, inside);
+      std::vector<Vec3> sites = points_;
+      const std::vector<Vec3> extra = virtual_sites(mesh, spacing_, options_.virtual_sites, first_.inside);
       sites.insert(sites.end(), extra.begin(), extra.end());
+      if (!extra.empty()) film_ = film_within(contains, complex_of(std::move(sites), {}));
     }
-    film_ = film_within(contains, complex_of(std::move(sites), {}));
-    first_ = film_within(contains, plain_);
     if (std::count(first_.inside.begin(), first_.inside.end(), 1) > 0) return;
     // The points are so flat that all orthocentres are far away: their hull is the film.
     for (std::size_t t = 0; t < first_.inside.size(); ++t)

@@ -146,7 +146,7 @@ std::vector<char> site_sides(const LabelledFilm& film) {
   for (std::size_t t = 0; t < complex.size(); ++t) {
     if (film.inside[t] && complex.flat(t)) continue;
     for (const Index v : complex.tetrahedra().corners[t])
-      if (v != kNone) sides[v] = static_cast<char>(sides[v] | (film.inside[t] ? kInsideFilm : 2));
+      if (v != kNone) sides[v] = static_cast<char>(sides[v] | (film.inside[t] ? kInsideFilm : kOutsideFilm));
   }
   return sides;
 }

@@ -23,7 +23,7 @@ struct LabelledFilm {
 /// Where the tetrahedra of a site lie: bits, 1 inside and 2 outside; flat ones inside do not count. A site
 /// with both is on the film; one without any is hidden.
 std::vector<char> site_sides(const LabelledFilm& film);
-constexpr char kOnFilm = 3, kInsideFilm = 1;
+constexpr char kInsideFilm = 1, kOutsideFilm = 2, kOnFilm = kInsideFilm | kOutsideFilm;
 
 /// The film that a first surface gives: inside is a tetrahedron whose orthocentre the surface contains.
 LabelledFilm film_within(const std::function<bool(const Vec3&)>& contains,

@@ -9,16 +9,12 @@
 #include "delaunay/delaunay.h"
 #include "delaunay/regular.h"
 #include "geometry/parallel.h"
-#include "points/site_set.h"
 
 namespace filmsticking {
 namespace {
 
 // A walk visits 9 to 20 tetrahedra; only a cycle by rounding takes so many.
 constexpr int kLongestWalk = 100000;
-
-// A tetrahedron of at most this thickness, in units of the box: as TetrahedralMesh::flat.
-constexpr double kFlatThickness = 4 * kPerturbation;
 
 // Visibility walk: through the first facet that has x on its other side.
 Index walk(const Tetrahedra& tets, const std::vector<Vec3>& sites, Index t, const Vec3& x) {
@@ -36,6 +32,18 @@ Index walk(const Tetrahedra& tets, const std::vector<Vec3>& sites, Index t, cons
     from = t, t = next;
   }
   return t;
+}
+
+// [tetrahedron]: the one at its centre; of infinite ones, themselves.
+UnsetVector<Index> flow_to(const Tetrahedra& tets, const std::vector<Vec3>& sites,
+                           const UnsetVector<Vec3>& centre, const std::vector<char>& wanted) {
+  UnsetVector<Index> flow(tets.size());
+  parallel_each(tets.size(), [&](std::size_t t) {
+    if (!wanted.empty() && !wanted[t]) return;
+    const auto own = static_cast<Index>(t);
+    flow[t] = tets.infinite(own) ? own : walk(tets, sites, own, centre[t]);
+  });
+  return flow;
 }
 
 }  // namespace
@@ -71,7 +79,7 @@ void PowerComplex::describe() {
     centre_[t] = a;
     if (volume6 != 0) centre_[t] += (lift(u, 1) * vw + lift(v, 2) * wu + lift(w, 3) * uv) / (2 * volume6);
     const double face = std::max({uv.norm(), vw.norm(), wu.norm(), (v - u).cross(w - u).norm()});
-    flat_[t] = static_cast<char>(std::abs(volume6) <= kFlatThickness * face);
+    flat_[t] = static_cast<char>(std::abs(volume6) <= kFlat * face);
   });
   seed_.assign(sites_.size(), kNone);
   for (std::size_t t = 0; t < size(); ++t) {
@@ -87,24 +95,13 @@ Index PowerComplex::locate(const Vec3& x, Index near) const {
 }
 
 const UnsetVector<Index>& PowerComplex::flow() const {
-  if (flow_.size() == size()) return flow_;
-  flow_.resize(size());
-  parallel_each(size(), [&](std::size_t t) {
-    const auto own = static_cast<Index>(t);
-    flow_[t] = tets_.infinite(own) ? own : walk(tets_, sites_, own, centre_[t]);
-  });
+  if (flow_.size() != size()) flow_ = flow_to(tets_, sites_, centre_, {});
   return flow_;
 }
 
 UnsetVector<Index> flow_map(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
                             const std::vector<char>& wanted) {
-  UnsetVector<Index> flow(mesh.size());
-  parallel_each(mesh.size(), [&](std::size_t t) {
-    if (!wanted.empty() && !wanted[t]) return;
-    const auto own = static_cast<Index>(t);
-    flow[t] = mesh.tets.infinite(own) ? own : walk(mesh.tets, sites, own, mesh.circumcentre[t]);
-  });
-  return flow;
+  return flow_to(mesh.tets, sites, mesh.circumcentre, wanted);
 }
 
 }  // namespace filmsticking
