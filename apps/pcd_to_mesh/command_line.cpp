@@ -40,6 +40,9 @@ void add_options(Arguments& arguments, CommandLine& command) {
   arguments.option("--report", "FILE.json", "write what was done as JSON; of several inputs, a list",
                    command.report);
   arguments.option("--dump-steps", "DIR", "write the film after each step as PLY", command.dump_steps);
+  arguments.flag("--stability",
+                 "colour the mesh from white to red where the points alone do not tell inside from outside",
+                 command.options.stability);
   add_filters(arguments, command.filters);
   add_reconstruction(arguments, command.options);
 }

@@ -86,6 +86,22 @@ io::Cloud read_and_filter(const Task& task, const CommandLine& command, TaskResu
   return cloud;
 }
 
+/// The places of the vertices, from white, where all faces around are stable, to red.
+pcl::PCLPointCloud2 coloured_by_stability(const pcl::PCLPointCloud2& vertices, const Result& result) {
+  if (result.stability.empty())
+    throw io::IoError("the surface of a depth image has no stability; leave --stability out");
+  std::vector<double> sum(result.vertices.size(), 0), faces(result.vertices.size(), 0);
+  for (std::size_t t = 0; t < result.triangles.size(); ++t)
+    for (const std::int32_t v : result.triangles[t])
+      sum[static_cast<std::size_t>(v)] += result.stability[t], ++faces[static_cast<std::size_t>(v)];
+  std::vector<io::Colour> colours;
+  for (std::size_t v = 0; v < sum.size(); ++v) {
+    const auto pale = static_cast<std::uint8_t>(255 * sum[v] / faces[v]);
+    colours.push_back({255, pale, pale});
+  }
+  return io::make_cloud(io::positions_of(vertices), colours);
+}
+
 /// Fills `result` but for its gaps; returns the vertices with all fields of the cloud.
 pcl::PCLPointCloud2 reconstruct(io::Cloud cloud, const CommandLine& command, const Progress& progress,
                                 StepDump& dump, Result& result) {
@@ -105,18 +121,21 @@ pcl::PCLPointCloud2 reconstruct(io::Cloud cloud, const CommandLine& command, con
   result.message = filmsticking.getStatusMessage();
   result.report = filmsticking.getReport();
   result.vertices = filmsticking.getVertexIndices();
+  result.stability = filmsticking.getFaceStability();
   return vertices;
 }
 
 void run(const Task& task, const CommandLine& command, const Progress& progress, TaskResult& outcome) {
   io::Cloud cloud = read_and_filter(task, command, outcome);
   StepDump dump(command.dump_steps);
-  const pcl::PCLPointCloud2 vertices = reconstruct(std::move(cloud), command, progress, dump, outcome.result);
+  pcl::PCLPointCloud2 vertices = reconstruct(std::move(cloud), command, progress, dump, outcome.result);
   outcome.reached = true;
   if (!dump.error().empty()) throw io::IoError(dump.error());
   outcome.interrupted = outcome.result.status == Status::Cancelled;
   if (outcome.result.status != Status::Ok)
     throw io::IoError(outcome.facts.input + ": " + outcome.result.message);
+  if (command.options.stability)
+    vertices = with_file(outcome.facts.input, [&] { return coloured_by_stability(vertices, outcome.result); });
   with_file(outcome.facts.output, [&] { write_output(task, command, vertices, outcome.result.triangles); });
 }
 

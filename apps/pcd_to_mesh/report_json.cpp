@@ -50,6 +50,7 @@ std::string report_json(const Result& result, const RunFacts& facts) {
                      {"boundary_loops", report.boundary_loops},
                      {"closed", report.closed},
                      {"manifold", report.manifold},
+                     {"stability", report.stability},
                      {"rounds", report.rounds},
                      {"steps", to_list(report.steps)},
                      {"rooms", to_list(report.rooms)},

@@ -55,6 +55,8 @@ void set_timings(Row& row, const Json& json) {
   for (const auto& [stage, seconds] : json.at("rooms").items())
     stages += (stages.empty() ? "" : ";") + stage + "=" + cell(seconds);
   row.set("rooms", stages);
+  if (json.at("steps").get<int>() == 0) return;  // no film
+  for (const char* column : {"steps", "fields"}) row.set(column, cell(json.at(column)));
 }
 
 void set_judgement(Row& row, const CloudFiles& files, const std::string& mesh) {

@@ -22,6 +22,15 @@ std::optional<double> mean_of(const Rows& rows, const std::string& column) {
   return mean(values);
 }
 
+/// Mean and standard deviation over the rows that know the column.
+std::string spread_of(const Rows& rows, const std::string& column, int digits) {
+  std::vector<double> values;
+  for (const Row* row : rows)
+    if (const auto value = row->number(column)) values.push_back(*value);
+  const auto deviation = standard_deviation(values);
+  return rounded(mean(values), digits) + (deviation ? " ± " + rounded(deviation, digits) : "");
+}
+
 /// Percent of all rows, so that a run that failed counts against its method; nothing where no row can know.
 std::optional<double> share_of(const Rows& rows, const std::string& needed,
                                const std::function<bool(const Row&)>& good) {
@@ -94,6 +103,16 @@ std::vector<std::string> cost_cells(const std::string& method, const Rows& rows,
           rounded(mean_of(rows, "memory_mb"), 3)};
 }
 
+/// As in the tables of the paper (section 6).
+std::vector<std::string> spread_cells(const std::string& method, const Rows& rows) {
+  return {method,
+          spread_of(rows, "normal_consistency", 4),
+          spread_of(rows, "chamfer_e3", 4),
+          spread_of(rows, "f_score", 4),
+          spread_of(rows, "steps", 3),
+          rounded(mean_of(rows, "fields"), 3)};
+}
+
 /// What went wrong, if something did.
 std::string failures(const std::vector<Row>& rows) {
   std::string text;
@@ -128,11 +147,15 @@ std::string quality_tables(const std::vector<Row>& rows, const std::vector<std::
          "turned over %", "Hausdorff", "sharp edges %"}};
     std::vector<std::vector<std::string>> cost = {
         {"method", "seconds alone", "with needs", "x peer", "CPU seconds", "peak MB"}};
+    std::vector<std::vector<std::string>> spread = {
+        {"method", "normals %", "Chamfer x1e3", "F-score", "film steps", "fields"}};
     for (const std::string& method : methods) {
       quality.push_back(quality_cells(method, group[method], group[peer]));
       cost.push_back(cost_cells(method, group[method], group[peer]));
+      spread.push_back(spread_cells(method, group[method]));
     }
-    text += "### " + title + "\n\n" + markdown_table(quality) + "\n" + markdown_table(cost) + "\n";
+    text += "### " + title + "\n\n" + markdown_table(quality) + "\n" + markdown_table(cost) +
+            "\nMean ± standard deviation over the clouds:\n\n" + markdown_table(spread) + "\n";
   }
   text += "x peer: ratio to " + peer + ", geometric mean over the clouds that both ended on.\n";
   if (std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.is("timing", "unfit"); }))

@@ -12,6 +12,14 @@ std::optional<double> mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+std::optional<double> standard_deviation(const std::vector<double>& values) {
+  const std::optional<double> middle = mean(values);
+  if (!middle) return std::nullopt;
+  double sum = 0;
+  for (const double value : values) sum += (value - *middle) * (value - *middle);
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
 std::optional<double> geometric_mean(const std::vector<double>& values) {
   std::vector<double> logarithms;
   for (const double value : values) logarithms.push_back(std::log(value));

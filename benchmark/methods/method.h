@@ -18,6 +18,7 @@ struct Outcome {
   double needs_seconds = 0;        ///< the time of what the method needs first, such as normals
   double seconds = 0;              ///< the method alone, from the array of points to the array of triangles
   std::vector<RoomSeconds> rooms;  ///< parts of `seconds`, where the method reports them
+  int steps = 0, fields = 0;       ///< of a film: its steps, and how often a field corrected it
 };
 
 /// A method. `run` may throw, crash or never end: it has a process of its own.

@@ -77,7 +77,9 @@ int run(const Method& method, const std::string& cloud_path, const std::string& 
                                        {"cpu_seconds", cpu},
                                        {"memory_mb", peak},
                                        {"memory_before_mb", memory_before},
-                                       {"rooms", stages}};
+                                       {"rooms", stages},
+                                       {"steps", outcome.steps},
+                                       {"fields", outcome.fields}};
   // The last line, as some libraries print too.
   std::fflush(stdout);
   std::printf("%s\n", json.dump().c_str());

@@ -88,6 +88,9 @@ struct Options {
   /// Vertices and topology stay, and no flip makes faces intersect. A noisy surface has few flips.
   bool sharp_edges = true;
 
+  /// Fill Result::stability, a confidence per face, in about a tenth more time.
+  bool stability = false;
+
   /// Most steps of a film, before the first field; at least 1.
   int max_steps = 60;
 

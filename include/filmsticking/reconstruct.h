@@ -24,6 +24,11 @@ struct Result {
   /// [triangle]: the gap that it bridges: the diameter of its smallest enclosing circle, in spacings of the
   /// points there. Dimensionless: about 1.5 on an evenly sampled surface, large where no data support a face.
   std::vector<float> gaps;
+  /// [triangle]: from 0 to 1, how much of the surface around it one more film step would keep: the least of
+  /// its corners, each the share of its faces, before sharp edges, that stay. Low where the samples alone do
+  /// not tell inside from outside: thin plates, chance gaps, noise. Empty without Options::stability, and for
+  /// a depth image's open surface.
+  std::vector<float> stability;
   Report report;  ///< what was done, up to a failure
 };
 

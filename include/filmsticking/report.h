@@ -48,6 +48,7 @@ struct Report {
   std::int64_t genus = 0;           ///< sum over the components
   std::int64_t boundary_edges = 0;  ///< edges with one face; 0 unless Options::open_boundary
   std::int64_t boundary_loops = 0;  ///< loops of such edges
+  double stability = 0;             ///< mean of Result::stability; 0 where that is empty
   int rounds = 0;                   ///< rounds of field and cut
   bool closed = false;              ///< checked on the result: every edge has two faces
   bool manifold = false;            ///< checked on the result: oriented, every vertex has one ring or fan

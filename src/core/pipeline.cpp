@@ -15,6 +15,7 @@
 #include "film/dense_film.h"
 #include "film/film.h"
 #include "film/initial_surface.h"
+#include "film/stability.h"
 #include "film/winding_number.h"
 #include "geometry/parallel.h"
 #include "labelling/labelling.h"
@@ -501,7 +502,7 @@ std::optional<DepthImage> Pipeline::image_of(const std::vector<Vec3>& places) {
 std::optional<FoundSurface> Pipeline::visible_surface() {
   std::optional<DepthImage> image = image_of(exact_places());
   if (!image) return {};
-  return FoundSurface{std::move(image->surface), image->viewpoint};
+  return FoundSurface{std::move(image->surface), image->viewpoint, {}};
 }
 
 // All sites, seen from the viewpoint that the caller gives; nothing if they cannot be. For depth images that
@@ -749,8 +750,7 @@ void Pipeline::rounds(Candidate& best) {
     ++report_.rounds;
     monitor_.progress(0.5 + 0.45 * round / options_.max_rounds);
     Candidate next = after_last_step(without_dangling(best));
-    // The first round is the paper's, whatever its score; the others must improve it.
-    if (next.surface.triangles.empty() || (round > 0 && !(next.score() < best.score()))) break;
+    if (!(next.score() < best.score())) break;
     best = std::move(next);
   }
 }
@@ -766,7 +766,12 @@ FoundSurface Pipeline::run(Tetrahedra tetrahedra) {
     rounds(best);
   }
   report_.inserted = best.inserted;
-  return {std::move(best.surface), best.viewpoint};
+  std::vector<float> stability;
+  if (options_.stability && !best.labels.empty()) {
+    monitor_.enter("stability", monitor_.share());
+    stability = site_stability(mesh_, sites_.perturbed, best.labels);
+  }
+  return {std::move(best.surface), best.viewpoint, std::move(stability)};
 }
 
 }  // namespace filmsticking

@@ -23,6 +23,7 @@ namespace filmsticking {
 struct FoundSurface {
   Surface surface;
   std::optional<Vec3> viewpoint;  ///< of a depth image: the point to which all of its faces show their front
+  std::vector<float> stability;   ///< site_stability(); empty for a surface that is not of tetrahedra
 };
 
 /// Chooses a surface of the sites. Method::Labelling: several starts are labelled by minimum cuts and

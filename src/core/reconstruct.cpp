@@ -76,13 +76,15 @@ void run(const PointsView& points, const Options& options, const Execution& exec
   FinishedSurface finished =
       finish(std::move(found->surface), points, sites, geometry, finish_options, monitor);
   // Few points, mostly on a plane: a closed surface may be flatter than the perturbation.
-  if (!finished.usable && !options.open_boundary)
+  if (!finished.usable && !options.open_boundary) {
+    found->stability.clear();
     finished = finish(pipeline.around_one_tetrahedron(), points, sites, geometry, finish_options, monitor);
+  }
   report.flips = finished.flips;
   if (!finished.usable) throw Failure(Status::NoSurface);
 
   monitor.enter("result", 0.97);
-  write_result(finished, sites, geometry, options.open_boundary, result);
+  write_result(finished, sites, geometry, found->stability, options.open_boundary, result);
   monitor.progress(1);
   result.status = Status::Ok;
 }
@@ -93,6 +95,7 @@ void fail(Result& result, Status status, std::string message) {
   result.vertices.clear();
   result.triangles.clear();
   result.gaps.clear();
+  result.stability.clear();
 }
 
 }  // namespace

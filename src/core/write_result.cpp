@@ -2,6 +2,7 @@
 #include "write_result.h"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "failure.h"
@@ -32,7 +33,8 @@ std::vector<Corners> number_vertices(const Surface& surface, const SiteSet& site
 }
 
 // A counting sort by the least corner, then a sort of the few triangles that share one.
-void sort_triangles(const std::vector<Corners>& turned, const std::vector<float>& gaps, Result& result) {
+void sort_triangles(const std::vector<Corners>& turned, const std::vector<float>& gaps,
+                    const std::vector<float>& stability, Result& result) {
   std::vector<Index> offset(result.vertices.size() + 1, 0), order(turned.size());
   for (const Corners& c : turned) ++offset[c[0] + 1];
   for (std::size_t v = 1; v < offset.size(); ++v) offset[v] += offset[v - 1];
@@ -40,12 +42,24 @@ void sort_triangles(const std::vector<Corners>& turned, const std::vector<float>
   for (std::size_t t = 0; t < turned.size(); ++t) order[fill[turned[t][0]]++] = static_cast<Index>(t);
   result.triangles.resize(turned.size());
   result.gaps.resize(turned.size());
+  result.stability.resize(stability.size());
   parallel_each(result.vertices.size(), [&](std::size_t v) {
     std::sort(order.begin() + offset[v], order.begin() + offset[v + 1],
               [&](Index a, Index b) { return turned[a] < turned[b]; });
-    for (Index k = offset[v]; k < offset[v + 1]; ++k)
+    for (Index k = offset[v]; k < offset[v + 1]; ++k) {
       result.triangles[k] = turned[order[k]], result.gaps[k] = gaps[order[k]];
+      if (!stability.empty()) result.stability[k] = stability[order[k]];
+    }
   });
+}
+
+// [triangle] the least of its corners' values; empty as those.
+std::vector<float> least_of_corners(const Surface& surface, const std::vector<float>& of_site) {
+  std::vector<float> least(of_site.empty() ? 0 : surface.triangles.size(), 1);
+  parallel_each(least.size(), [&](std::size_t t) {
+    for (const Index v : surface.triangles[t]) least[t] = std::min(least[t], of_site[surface.site[v]]);
+  });
+  return least;
 }
 
 // The result is another numbering of the surface, so its topology is the surface's.
@@ -57,6 +71,9 @@ void describe_result(const SurfaceTopology& topology, Result& result) {
   report.boundary_edges = check.boundary_edges;
   report.interpolated = static_cast<std::int64_t>(result.vertices.size());
   report.triangles = static_cast<std::int64_t>(result.triangles.size());
+  if (!result.stability.empty())
+    report.stability = std::accumulate(result.stability.begin(), result.stability.end(), 0.0) /
+                       static_cast<double>(result.stability.size());
   if (!report.manifold) return;
   report.components = topology.components;
   report.boundary_loops = boundary_loops(topology.twin);
@@ -68,9 +85,10 @@ void describe_result(const SurfaceTopology& topology, Result& result) {
 }  // namespace
 
 void write_result(const FinishedSurface& finished, const SiteSet& sites, const SiteGeometry& geometry,
-                  bool may_be_open, Result& result) {
+                  const std::vector<float>& stability, bool may_be_open, Result& result) {
   const std::vector<Corners> turned = number_vertices(finished.surface, sites, result);
-  sort_triangles(turned, face_gaps(finished.surface, geometry), result);
+  sort_triangles(turned, face_gaps(finished.surface, geometry),
+                 least_of_corners(finished.surface, stability), result);
   describe_result(finished.topology, result);
   const Report& report = result.report;
   if (result.vertices.size() != finished.surface.site.size() || !report.manifold ||

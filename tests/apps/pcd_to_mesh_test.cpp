@@ -175,6 +175,24 @@ TEST(PcdToMesh, ColoursGoWithTheirPoints) {
     EXPECT_EQ(mesh.colours[k], colour_of.at(mesh.positions[k]));
 }
 
+TEST(PcdToMesh, StabilityIsAColourAndInTheReport) {
+  const ScratchFolder folder;
+  const Outcome outcome =
+      pcd_to_mesh({kSpot, folder / "spot.ply", "--stability", "--report", folder / "spot.json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Model mesh = io::read_mesh(folder / "spot.ply");
+  ASSERT_EQ(mesh.colours.size(), mesh.positions.size());
+  std::size_t white = 0;
+  for (const auto& colour : mesh.colours) {
+    EXPECT_EQ(colour[0], 255);
+    EXPECT_EQ(colour[1], colour[2]);
+    white += colour[1] == 255 ? 1 : 0;
+  }
+  EXPECT_GT(2 * white, mesh.colours.size());
+  EXPECT_LT(white, mesh.colours.size());
+  EXPECT_GT(read_json(folder / "spot.json").at("stability").get<double>(), 0.8);
+}
+
 TEST(PcdToMesh, ColoursGoIntoEveryFormatThatHasThem) {
   const ScratchFolder folder;
   Model cloud = io::read_cloud(kBunny);

@@ -76,7 +76,8 @@ std::vector<Point> skew_lines(int n) {
 void expect_empty(const Result& result, Status status) {
   EXPECT_EQ(result.status, status) << result.message;
   EXPECT_FALSE(result.message.empty());
-  EXPECT_TRUE(result.vertices.empty() && result.triangles.empty() && result.gaps.empty());
+  EXPECT_TRUE(result.vertices.empty() && result.triangles.empty() && result.gaps.empty() &&
+              result.stability.empty());
 }
 
 TEST(Limits, AQuadraticTriangulationIsRefused) {

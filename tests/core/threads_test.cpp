@@ -54,6 +54,7 @@ std::vector<Job> jobs() {
                           job(test::torus(500, 3), InitialSurface::Wrap)};
   all.push_back(job(half_sphere_and_outliers()));
   all.back().options.open_boundary = true;
+  for (Job& one : all) one.options.stability = true;
   return all;
 }
 
@@ -63,6 +64,7 @@ void expect_same(const Result& one, const Result& other) {
   EXPECT_EQ(one.vertices, other.vertices);
   EXPECT_EQ(one.triangles, other.triangles);
   EXPECT_EQ(one.gaps, other.gaps);
+  EXPECT_EQ(one.stability, other.stability);
   EXPECT_EQ(one.report.outliers, other.report.outliers);
   EXPECT_EQ(one.report.tetrahedra, other.report.tetrahedra);
   EXPECT_EQ(one.report.inserted, other.report.inserted);

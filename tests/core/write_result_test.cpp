@@ -41,10 +41,10 @@ Case ball_case() {
   return one;
 }
 
-Result written(const Case& one, bool may_be_open = false) {
+Result written(const Case& one, bool may_be_open = false, const std::vector<float>& stability = {}) {
   Result result;
   result.report.points = static_cast<std::int64_t>(one.points.size());
-  write_result(FinishedSurface(one.surface), one.sites, one.geometry, may_be_open, result);
+  write_result(FinishedSurface(one.surface), one.sites, one.geometry, stability, may_be_open, result);
   return result;
 }
 
@@ -84,6 +84,25 @@ TEST(WriteResult, CountsWhatTheSurfaceIs) {
   EXPECT_EQ(report.genus, 0);
   EXPECT_EQ(report.interpolated + 1, report.points);
   EXPECT_EQ(report.triangles, 2 * (report.interpolated - 2));
+}
+
+TEST(WriteResult, AFaceIsAsStableAsItsLeastCorner) {
+  const Case one = ball_case();
+  EXPECT_TRUE(written(one).stability.empty());
+  std::vector<float> of_site(one.sites.size());
+  for (std::size_t s = 0; s < of_site.size(); ++s) of_site[s] = static_cast<float>(s % 5) / 4;
+  const Result result = written(one, false, of_site);
+  ASSERT_EQ(result.stability.size(), result.triangles.size());
+  std::vector<float> of_point(one.points.size());
+  for (std::size_t s = 0; s < of_site.size(); ++s) of_point[one.sites.input[s]] = of_site[s];
+  double sum = 0;
+  for (std::size_t t = 0; t < result.triangles.size(); ++t) {
+    float least = 1;
+    for (const std::int32_t v : result.triangles[t]) least = std::min(least, of_point[result.vertices[v]]);
+    EXPECT_EQ(result.stability[t], least);
+    sum += result.stability[t];
+  }
+  EXPECT_DOUBLE_EQ(result.report.stability, sum / static_cast<double>(result.stability.size()));
 }
 
 TEST(WriteResult, RefusesAHoleUnlessTheResultMayBeOpen) {

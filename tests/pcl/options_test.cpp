@@ -36,6 +36,7 @@ TEST(FilmstickingPP, OptionsAreKept) {
   filmsticking.setOutputBoundary(true);
   filmsticking.setKeepOutliers(true);
   filmsticking.setSharpEdges(false);
+  filmsticking.setComputeStability(true);
   filmsticking.setMaxSteps(7);
   filmsticking.setMaxRounds(3);
   filmsticking.setNumberOfThreads(1);
@@ -50,6 +51,7 @@ TEST(FilmstickingPP, OptionsAreKept) {
   EXPECT_TRUE(options.open_boundary);
   EXPECT_TRUE(options.keep_outliers);
   EXPECT_FALSE(options.sharp_edges);
+  EXPECT_TRUE(options.stability && filmsticking.getComputeStability());
   EXPECT_EQ(options.max_steps, 7);
   EXPECT_EQ(options.max_rounds, 3);
   EXPECT_EQ(options.threads, 1);
@@ -79,7 +81,11 @@ TEST(FilmstickingPP, OpensWhereThereAreNoPoints) {
   pcl::PolygonMesh closed, open;
   filmsticking.reconstruct(closed);
   ASSERT_EQ(filmsticking.getFaceGaps().size(), closed.polygons.size());
+  EXPECT_TRUE(filmsticking.getFaceStability().empty());
   EXPECT_TRUE(filmsticking.getReport().closed);
+  filmsticking.setComputeStability(true);
+  filmsticking.reconstruct(closed);
+  ASSERT_EQ(filmsticking.getFaceStability().size(), closed.polygons.size());
   filmsticking.setOutputBoundary(true);
   filmsticking.reconstruct(open);
   ASSERT_EQ(filmsticking.getFaceGaps().size(), open.polygons.size());

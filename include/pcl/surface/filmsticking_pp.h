@@ -181,6 +181,12 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
    */
   const std::vector<float>& getFaceGaps() const { return face_gaps_; }
 
+  /** \brief The confidence in each output triangle, from 0 to 1: how much of the surface around it one more
+   * film step would keep. Low in thin plates, chance gaps and noise. Empty without setComputeStability(),
+   * on failure, and for the open surface of a depth image.
+   */
+  const std::vector<float>& getFaceStability() const { return face_stability_; }
+
   /** \name Options that most callers need
    * Most callers need setInputCloud() and at most these five setters. */
   ///@{
@@ -270,6 +276,12 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
 
   /** \brief Get whether edges are flipped to lie along sharp edges. */
   bool getSharpEdges() const { return options_.sharp_edges; }
+
+  /** \brief Set whether getFaceStability() is filled, in about a tenth more time. Off by default. */
+  void setComputeStability(bool stability) { options_.stability = stability; }
+
+  /** \brief Get whether getFaceStability() is filled. */
+  bool getComputeStability() const { return options_.stability; }
 
   /** \brief Set whether points that the surface misses are inserted at the end. On by default. */
   void setInsertLeftover(bool insert_leftover) { options_.insert_leftover = insert_leftover; }
@@ -441,6 +453,7 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   Report report_;
   pcl::Indices vertex_indices_;
   std::vector<float> face_gaps_;
+  std::vector<float> face_stability_;
 };
 
 }  // namespace pcl

@@ -12,10 +12,8 @@
 namespace filmsticking {
 namespace {
 
-// A step that brings fewer than this share of the points onto the film is one without a rise.
-constexpr double kRise = 0.001;
-// After so many steps without a rise the film counts as stalled.
-constexpr int kPatience = 2;
+// A film stalls when a step brings fewer than this share of the points onto it.
+constexpr double kRise = 0.005;
 
 class Evolution {
  public:
@@ -42,17 +40,17 @@ class Evolution {
 
   void start(std::vector<char> labels) { film_ = first_ = {plain_, std::move(labels)}; }
 
-  // Ends: virtual sites only leave, a phase ends by kPatience for each rise, and there are two.
+  // Ends: each step but two raises the number of points on the film.
   std::vector<char> run() {
     bool weighted = false;
     std::size_t best = 0;
-    int without_rise = 0;
+    bool stalled = false;
     std::vector<char> sides = site_sides(film_);
     for (int step = 1; step < options_.max_steps; ++step) {
       options_.limits.cancel();
-      if (without_rise == (weighted ? 1 : kPatience)) {
+      if (stalled) {
         if (weighted || !options_.weights) break;
-        weighted = true, without_rise = 0;
+        weighted = true;
       }
       const auto start = std::chrono::steady_clock::now();
       StepRecord record;
@@ -61,7 +59,7 @@ class Evolution {
       if (weighted && record.weighted == 0) break;
       const std::size_t on = advance(std::move(complex), sides, record);
       const auto enough = static_cast<std::size_t>(kRise * static_cast<double>(points_.size()));
-      without_rise = on > best + enough ? 0 : without_rise + 1;
+      stalled = on <= best + enough;
       best = std::max(best, on);
       finish(record, start);
     }

@@ -185,6 +185,7 @@ bool pcl::FilmstickingPP<PointInT>::computeTriangles(std::vector<filmsticking::T
   vertex_indices_.reserve(result.vertices.size());
   for (const std::int32_t position : result.vertices) vertex_indices_.push_back((*indices_)[position]);
   face_gaps_ = std::move(result.gaps);
+  face_stability_ = std::move(result.stability);
   triangles = std::move(result.triangles);
   status_ = Status::Ok;
   return true;
@@ -278,6 +279,7 @@ void pcl::FilmstickingPP<PointInT>::guarded(Compute compute) noexcept {
   report_ = Report();
   vertex_indices_.clear();
   face_gaps_.clear();
+  face_stability_.clear();
   try {
     if (checkInput()) compute();
   } catch (const std::bad_alloc&) {
@@ -290,6 +292,7 @@ void pcl::FilmstickingPP<PointInT>::guarded(Compute compute) noexcept {
   if (status_ == Status::Ok) return;
   vertex_indices_.clear();
   face_gaps_.clear();
+  face_stability_.clear();
 }
 
 template <typename PointInT>
