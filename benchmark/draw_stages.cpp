@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "delaunay/delaunay.h"
-#include "evidence/ball.h"
 #include "evidence/facet_evidence.h"
 #include "evidence/signed_field.h"
+#include "film/dense_film.h"
 #include "geometry/triangle_adjacency.h"
 #include "io/cloud.h"
 #include "io/formats.h"
@@ -81,8 +81,8 @@ class Stages {
       : set_(make_site_set(cloud)), sites_(set_.perturbed), geometry_(site_geometry(sites_)) {
     mesh_ = make_tetrahedral_mesh(delaunay_tetrahedra(sites_), sites_);
     evidence_ = facet_evidence(mesh_, sites_, geometry_);
-    guess_ = ball_widths(mesh_, sites_, geometry_.spacing, 1, 3);
-    for (double& width : guess_) width = std::clamp((2 - width) * 3, -1.0, 1.0);
+    for (const char inside : dense_film(mesh_, sites_, geometry_.spacing, 2))
+      guess_.push_back(inside != 0 ? 1 : -1);
     field_ = signed_field(mesh_, evidence_, guess_);
     hold_.resize(mesh_.size());
     for (std::size_t t = 0; t < mesh_.size(); ++t) {

@@ -24,10 +24,14 @@ snapshot overview.png 1050x750 "${clamp[@]}" -- points:'1 points' votes:'2 facet
   field:'3 signed field' cut:'4 minimum cut' mended:'5 repaired and mended' sharp:'6 sharp edges'
 snapshot points.png 400x430 "${clamp[@]}" -- points:'5,500 points'
 snapshot delaunay.png 800x500 --view=-8,25 --edges -- guess:'a section of the tetrahedra'
-snapshot evidence.png 1200x430 "${clamp[@]}" -- votes:'facets by votes' guess:'start: ball from outside' \
+snapshot evidence.png 1200x430 "${clamp[@]}" -- votes:'facets by votes' guess:'start: the film' \
   field:'signed field'
 snapshot labelling.png 1200x430 "${clamp[@]}" -- cut:'first cut' repaired:'repaired and warped' mended:'mended'
 snapshot surface.png 800x430 "${clamp[@]}" -- mended:'before the flips' sharp:'after'
+
+"$bin/pcd_to_mesh" docs/pictures/stages/clamp.ply "$work/stable_clamp.ply" --stability
+"$bin/pcd_to_mesh" tests/data/spot_10k.ply "$work/stable_spot.ply" --stability
+snapshot stability.png 800x430 --view=-8,25 --fit each -- stable_clamp:'5,500 points' stable_spot:'10,000 points'
 
 "$bin/pcd_to_mesh" tests/data/spot_10k.ply "$work/film.ply" --init sphere --dump-steps "$work"
 snapshot film.png 1200x330 --view 150,20 --fit each -- step_000:'bounding sphere' step_002:'after two steps' \
