@@ -26,7 +26,6 @@
 #include "labelling/two_sides.h"
 #include "labelling/unfold.h"
 #include "labelling/warp.h"
-#include "surface/energy.h"
 #include "surface/open_surface.h"
 #include "surface/surface_normals.h"
 #include "surface/viewpoint.h"
@@ -48,12 +47,23 @@ constexpr double kKeptShare = 0.8;
 // Fraction of missed sites that the next cut still misses. Above: stop.
 constexpr double kStalled = 0.95;
 
-// Carvings. Width: the ball that carves the outside does not enter narrower places, in spacings. Conviction:
-// see above; a weak one gives up shapes whose walls are thin nearly everywhere. The last width is that of some
-// chance gaps.
+// Price of a component or a handle in Candidate::score(), in sites off the surface.
+constexpr double kComplexityPrice = 5;
+// Price per fraction of area in bridge faces, where 1 is the price of normals that disagree everywhere.
+constexpr double kBridgePrice = 0.5;
+// Price per fraction of near sites with opposite normals.
+constexpr double kOppositePrice = 0.1;
+// Price of an inserted site, in sites off the surface: it is on the surface, but did not get there by itself.
+constexpr double kInsertedPrice = 0.2;
+// Price of a site off the surface, in areas of one sample.
+constexpr double kOffPrice = 5;
+
+// Carvings, in this order. Width: the ball that carves the outside does not enter narrower places, in
+// spacings. Conviction: see above; a weak one gives up shapes whose walls are thin nearly everywhere. Share:
+// accept below this fraction of the best score. The last width is that of some chance gaps.
 constexpr struct {
-  double width, conviction;
-} kCarvings[] = {{2, kConviction}, {4, kConviction}, {2, 0.5}, {1.5, 0.5}};
+  double width, conviction, share = 1;
+} kCarvings[] = {{2, kConviction}, {4, kConviction}, {2, 0.5}, {2.5, 0.5}, {1.5, 0.5, 0.9}};
 // Growth of the belief in the outside per spacing of width. Slow: the evidence decides about chance gaps in
 // thin walls.
 constexpr double kCarveSlope = 0.2;
@@ -61,6 +71,8 @@ constexpr double kCarveSlope = 0.2;
 constexpr double kInsideSlope = 3;
 // Most cuts by evidence from the surface's own normals. Later ones change little.
 constexpr int kRefinements = 2;
+// Fraction of sites that such a cut may lose. More: reject.
+constexpr double kGivenUp = 0.001;
 
 // Ball of the alpha wrap, in longest sides of the box.
 constexpr double kWrapAlpha = 0.05;
@@ -75,12 +87,39 @@ constexpr double kReached = 0.5;
 
 // Fraction of sites missed by the first cut. < 1 %: accept.
 constexpr double kLittleTrouble = 0.01;
-// > 10 %: also try the two sides of an open surface.
+// > 10 %: also try open-surface methods.
 constexpr double kSomeTrouble = 0.1;
 // > 30 %: assume there is no inside.
 constexpr double kNoInside = 0.3;
-// Energy of two sides, which tear, over that of the first surface, which may have an inside. < 0.9: take them.
+// Fraction of sites off the best surface. > 10 %: also try the film from the sphere.
+constexpr double kMuchTrouble = 0.1;
+// Score of two sides over that of the first surface, which may have an inside. < 0.9: two sides are better.
 constexpr double kMuchBetter = 0.9;
+
+// Price in open_surface_score() per fraction of near sites with opposite normals.
+constexpr double kConflictPrice = 2;
+// Price in open_surface_score() of a handle, in sites off the surface.
+constexpr double kHandlePrice = 20;
+// open_surface_score() by which a view may be worse than another surface and is still preferred.
+constexpr double kLoose = 0.005;
+// Fraction of sites by which a view may have more off than another surface.
+constexpr double kFewMissed = 0.001;
+// Fraction of the lines of sight that cross the other surface an odd number of times. < 0.4: it is closed, so
+// the view is not the better one.
+constexpr double kSeenOpen = 0.4;
+// Disagreement (SurfaceQuality) of a view. > 0.15: it may run through both sides of a plate 0.4 spacings
+// thick.
+constexpr double kThinnest = 0.15;
+// closed_surface_score() of a closed view over that of the best closed surface. < 0.5: take the view.
+constexpr double kMuchPlainer = 0.5;
+
+// Handles of an open surface. > 3: it may be a thin wall, torn; try a closed surface.
+constexpr std::int64_t kWhole = 3;
+// Handles of the open surface over components and handles of the closed one. >= 4: it was torn.
+constexpr std::int64_t kTorn = 4;
+// Score of the closed surface over that of the open one. < 0.5: it was torn. Measured: 0.33 for plates half a
+// spacing thick, 0.77 for noise.
+constexpr double kFarBetter = 0.5;
 
 // Rules for facets at the rim of an open surface: votes, weight. Chance and noise decide which is best; where
 // neighbours disagree, the best of the three is taken.
@@ -89,6 +128,20 @@ constexpr RimRule kFirstRim{3, 0.03}, kSecondRim{2, 0.03}, kThirdRim{3, 0.3};
 constexpr double kLittleConflict = 0.005;
 // Price per fraction of area that faces away from the viewpoint.
 constexpr double kTurnedPrice = 0.5;
+
+// Components and handles per site. > 1.5 %: two sides confuse the layers of thin walls.
+constexpr double kMostComplex = 0.015;
+
+// Two sides are a plain open surface if all of these hold.
+// Fraction of sites missed by their first cut: <= 2 %.
+constexpr double kPlainMissed = 0.02;
+// Components and handles per site: <= 1 %.
+constexpr double kPlainComplex = 0.01;
+// Fraction of near sites with opposite normals, over that of the first surface, where there is no inside: <
+// 0.75; where there may be one: < 0.25.
+constexpr double kPlainConflict = 0.75, kFarLessConflict = 0.25;
+// Fraction of area in bridge faces, if the result is to be closed: > 20 %, the lid.
+constexpr double kLid = 0.2;
 
 // The prices of facets by which the farther region of a site gives way (RingChoice::Nearest): a region is as
 // far from its site as the dual edge, which joins the centres of the facet's two balls.
@@ -117,6 +170,28 @@ Pipeline::Pipeline(const PointsView& points, const SiteSet& sites, const SiteGeo
       monitor_(monitor),
       report_(report),
       open_(options.open_boundary) {}
+
+double Pipeline::Candidate::score() const {
+  if (surface.triangles.empty()) return std::numeric_limits<double>::infinity();
+  const double sites = static_cast<double>(surface.site.size()) + static_cast<double>(quality.off);
+  return quality.disagreement + kOppositePrice * quality.conflict + kBridgePrice * quality.bridging +
+         (static_cast<double>(quality.off) + kInsertedPrice * static_cast<double>(inserted) +
+          kComplexityPrice * static_cast<double>(quality.complexity)) /
+             sites;
+}
+
+// Faces may be rough, so their disagreement does not count. Lower is better.
+double Pipeline::open_surface_score(const SurfaceQuality& quality) const {
+  return kConflictPrice * quality.conflict +
+         (static_cast<double>(quality.off) + kHandlePrice * static_cast<double>(quality.handles)) /
+             static_cast<double>(sites_.size());
+}
+
+// Lower is better.
+double Pipeline::closed_surface_score(const SurfaceQuality& quality) const {
+  return (static_cast<double>(quality.off) + kHandlePrice * static_cast<double>(quality.complexity)) /
+         static_cast<double>(sites_.size());
+}
 
 // Returns the belief that the signed field starts from: the film's.
 std::vector<double> Pipeline::prepare(Tetrahedra tetrahedra) {
@@ -160,7 +235,7 @@ std::vector<double> Pipeline::off_prices() const {
   std::vector<double> prices(sites_.size());
   parallel_each(prices.size(), [&](std::size_t v) {
     const double spacing = std::min(geometry_.spacing[v], near_spacing(geometry_, static_cast<Index>(v)));
-    prices[v] = EnergyPrices().off * spacing * spacing;
+    prices[v] = kOffPrice * spacing * spacing;
   });
   return prices;
 }
@@ -274,7 +349,6 @@ Pipeline::Candidate Pipeline::mended(Candidate candidate, Mend mend) {
 
 Pipeline::Candidate Pipeline::measured(Candidate candidate) const {
   candidate.quality = surface_quality(candidate.surface, geometry_);
-  candidate.energy = surface_energy(candidate.quality, candidate.inserted, sites_.size());
   return candidate;
 }
 
@@ -357,41 +431,54 @@ bool Pipeline::needs_no_round(const Candidate& candidate) {
 }
 
 // Cuts again by evidence from the surface's own normals: they are better than those of neighbourhoods, which
-// reach across thin walls and edges. The energy is by the fitted normals still.
+// reach across thin walls and edges. Accepts the next surface only if its score by the fitted normals is
+// better, it loses hardly any sites, and it is no more complex, with the gaps of both filled: a new handle
+// may be a leak.
 Pipeline::Candidate Pipeline::refined(Candidate best) {
   for (int round = 0; round < kRefinements && !best.labels.empty(); ++round) {
     use_normals_of(best.surface);
     monitor_.enter("signed field", monitor_.share());
     Candidate next = measured(cut(signed_field(mesh_, evidence_, belief_of(best.labels), monitor_.cancel()),
                                   kConviction, best.open));
-    if (!(next.energy < best.energy)) break;
+    const double given_up = static_cast<double>(next.quality.off - best.quality.off);
+    if (!(next.score() < best.score()) || given_up > kGivenUp * static_cast<double>(sites_.size())) break;
+    // A chance gap is no leak, so gaps are filled before the comparison; in copies, because a surface with
+    // filled gaps would keep the errors beside them in the next cut.
+    if (next.quality.complexity > best.quality.complexity) {
+      const std::int64_t filled = mended(next).quality.complexity;
+      if (filled > 1 && filled > mended(best).quality.complexity) break;
+    }
     best = std::move(next);
   }
   return best;
 }
 
-Pipeline::Candidate Pipeline::cut_sides(const RimRule& rim, const Vec3* viewpoint) {
+Pipeline::Candidate Pipeline::cut_sides(const RimRule& rim, const Vec3* viewpoint, bool open,
+                                        bool reaches_infinity) {
   monitor_.enter("two sides", monitor_.share());
   return measured(
       cut(two_sides(mesh_, sites_.perturbed, evidence_, geometry_, rim, viewpoint, monitor_.cancel()),
-          kSidesConviction, open_, open_));
+          kSidesConviction, open, reaches_infinity));
 }
 
 // By the facets alone. Where neighbours on an open surface disagree, tries the other rules; the last one with
 // the viewpoint of the best surface, if that is a scan from one side.
 Pipeline::Candidate Pipeline::cut_two_sides() {
-  Candidate best = cut_sides(kFirstRim, nullptr);
+  const auto by_rule = [&](const RimRule& rim, const Vec3* viewpoint) {
+    return cut_sides(rim, viewpoint, open_, open_);
+  };
+  Candidate best = by_rule(kFirstRim, nullptr);
   if (!open_ || best.quality.conflict <= kLittleConflict) return best;
-  Candidate next = cut_sides(kSecondRim, nullptr);
-  if (next.energy < best.energy) best = std::move(next);
+  Candidate next = by_rule(kSecondRim, nullptr);
+  if (next.score() < best.score()) best = std::move(next);
   if (best.quality.conflict <= kLittleConflict) return best;
   monitor_.enter("two sides", monitor_.share());
   const Vec3 viewpoint = common_viewpoint(best.surface);
   const bool one_view =
       !best.surface.triangles.empty() && is_seen_once(best.surface, viewpoint, monitor_.cancel());
-  next = cut_sides(kThirdRim, one_view ? &viewpoint : nullptr);
+  next = by_rule(kThirdRim, one_view ? &viewpoint : nullptr);
   const auto price = [&](const Candidate& sides) {
-    return sides.energy + (one_view ? kTurnedPrice * turned_away_share(sides.surface, viewpoint) : 0);
+    return sides.score() + (one_view ? kTurnedPrice * turned_away_share(sides.surface, viewpoint) : 0);
   };
   return price(next) < price(best) ? std::move(next) : std::move(best);
 }
@@ -427,63 +514,134 @@ std::optional<DepthImage> Pipeline::given_view() {
   return image_from(exact_places(), *viewpoint, geometry_, monitor_.cancel());
 }
 
+// Compares the view with the surface found without it. The view is better if the other surface is open as
+// seen from there and the view has about as few folds, handles and missed sites. Ties go to the view, which
+// knows the side that is seen.
+bool Pipeline::is_better_view(const DepthImage& image, Surface found) const {
+  Candidate open;
+  open.surface = std::move(found);
+  remove_bridges(open.surface, geometry_);
+  if (odd_crossing_share(open.surface, image.viewpoint, monitor_.cancel()) < kSeenOpen) return false;
+  const SurfaceQuality other = measured(std::move(open)).quality;
+  const double off = static_cast<double>(std::max<std::int64_t>(0, image.quality.off - other.off));
+  return off <= kFewMissed * static_cast<double>(sites_.size()) &&
+         open_surface_score(image.quality) < open_surface_score(other) + kLoose;
+}
+
 // Inside is what is behind a depth image. Its gaps are those of its steps in depth.
 Pipeline::Candidate Pipeline::cut_image(const Vec3& viewpoint) {
   const std::vector<double> sides = depth_image_sides(mesh_, sites_.perturbed, viewpoint, monitor_.cancel());
   return mended(measured(cut(sides, kConviction, open_)), Mend::Plugs);
 }
 
-// Method::Labelling. Each belief gets one cut; the least energy wins, and is mended. Most clouds are clear: the
-// first cut, by the field that starts from the film, misses hardly a site. `guess`: what the field starts from.
+// Method::Labelling. First by local evidence alone; if that cut misses many sites, by other starts too. A
+// depth image is tried before them, since it knows more. `guess`: the belief that the field starts from.
 Pipeline::Candidate Pipeline::labelling(std::vector<double> guess) {
   monitor_.enter("signed field", 0.25);
   Candidate best =
-      measured(cut(signed_field(mesh_, evidence_, std::move(guess), monitor_.cancel()), kConviction, open_));
-  // With a handle or a second component it may have walls, if no thin ones.
-  if (best.missed <= kLittleTrouble && has_shape(best))
-    return best.quality.complexity > 1 ? mended(std::move(best), Mend::Plugs) : std::move(best);
+      cut(signed_field(mesh_, evidence_, std::move(guess), monitor_.cancel()), kConviction, open_);
+  best = measured(std::move(best));
+  if (best.missed <= kLittleTrouble && !best.surface.triangles.empty()) {
+    // With a handle or a second component it may have walls, if no thin ones.
+    if (best.quality.complexity > 1) best = mended(std::move(best), Mend::Plugs);
+    return best;
+  }
+  if (best.missed <= kSomeTrouble) return carve_further(std::move(best), false);
 
-  std::optional<DepthImage> view;
-  if (best.missed > kSomeTrouble) {
-    if (!open_)
-      if (const auto image = image_of(sites_.perturbed))
-        if (Candidate closed = cut_image(image->viewpoint); has_shape(closed)) return closed;
-    view = given_view();
-    Candidate sides = cut_two_sides();
-    if (sides.energy < (best.missed > kNoInside ? 1 : kMuchBetter) * best.energy) best = std::move(sides);
-    if (!view && is_clear(best)) return open_ ? std::move(best) : mended(std::move(best));
+  if (!open_)
+    if (const auto image = image_of(sites_.perturbed))
+      if (Candidate closed = cut_image(image->viewpoint); has_shape(closed)) return closed;
+  const std::optional<DepthImage> view = given_view();
+  Candidate sides = cut_two_sides();
+  const auto by_view = [&] {
+    if (!open_) return cut_image(view->viewpoint);
+    Candidate seen;
+    seen.surface = view->surface;
+    seen.viewpoint = view->viewpoint;
+    return seen;
+  };
+  if (view && view->quality.disagreement <= kThinnest) {
+    // Not a closed surface: it could follow both sides of an open one, which says nothing.
+    Surface found = open_ ? (sides.score() < best.score() ? sides : best).surface
+                          : cut_sides(kFirstRim, nullptr, false, true).surface;
+    if (is_better_view(*view, std::move(found)))
+      if (Candidate seen = by_view(); open_ || has_shape(seen)) return seen;
   }
-  for (const auto& [width, conviction] : kCarvings) {
-    monitor_.enter("carving", monitor_.share());
-    Candidate other = measured(cut(ball_belief(width, kCarveSlope), conviction, open_));
-    if (other.energy < best.energy) best = std::move(other);
+  // A rough view may still be that of a thin wall, but a thin wall gives a plain closed surface.
+  if (open_) {
+    Candidate first = best;
+    best = closed_if_torn(with_sides(std::move(best), std::move(sides)), std::move(first));
+    return view && is_better_view(*view, best.surface) ? by_view() : std::move(best);
   }
-  best = mended(refined(std::move(best)));
-  return view ? with_view(std::move(best), *view) : std::move(best);
+  best = with_sides(std::move(best), std::move(sides));
+  if (!view) return best;
+  Candidate seen = by_view();
+  const bool plainer = closed_surface_score(seen.quality) < kMuchPlainer * closed_surface_score(best.quality);
+  return has_shape(seen) && plainer ? std::move(seen) : std::move(best);
 }
 
-// The better of a surface and of what a depth image shows.
-Pipeline::Candidate Pipeline::with_view(Candidate best, const DepthImage& view) {
-  Candidate seen;
-  if (open_) {
-    seen.surface = view.surface;
-    seen.viewpoint = view.viewpoint;
-    seen = measured(std::move(seen));
-  } else {
-    seen = cut_image(view.viewpoint);
-  }
-  return has_shape(seen) && seen.energy < best.energy ? std::move(seen) : std::move(best);
+// An open surface with many handles may be a thin wall, torn. `closed`: the first candidate, from which
+// carving starts. The closed surface is taken if its score is far better, it has hardly a handle and no more
+// sites are off.
+Pipeline::Candidate Pipeline::closed_if_torn(Candidate open, Candidate closed) {
+  if (open.quality.handles <= kWhole) return open;
+  closed.open = false;
+  if (!closed.labels.empty())
+    closed.surface = surface_of(closed.labels, false), closed = measured(std::move(closed));
+  bool two_sided = false;
+  closed = by_widths(std::move(closed), two_sided);
+  if (closed.score() < open.score()) closed = mended(refined(std::move(closed)));
+  const bool whole = closed.score() < kFarBetter * open.score() && closed.quality.off <= open.quality.off &&
+                     kTorn * closed.quality.complexity <= open.quality.handles;
+  return whole ? std::move(closed) : std::move(open);
 }
 
 bool Pipeline::has_shape(const Candidate& candidate) {
   return !candidate.surface.triangles.empty() && candidate.missed <= kNoInside;
 }
 
-// Its cut missed hardly a site, and it has hardly a handle: others need not be tried.
-bool Pipeline::is_clear(const Candidate& candidate) const {
-  return has_shape(candidate) && candidate.missed <= kLittleTrouble &&
-         static_cast<double>(candidate.quality.complexity) <=
-             kLittleTrouble * static_cast<double>(sites_.size());
+// Returns `sides` if they are a plain open surface; else the better of both, carved further.
+Pipeline::Candidate Pipeline::with_sides(Candidate best, Candidate sides) {
+  const double complexity =
+      static_cast<double>(sides.quality.complexity) / static_cast<double>(sites_.size());
+  // Nothing is better than a plain open surface, and carving one takes long. Its closed form has a lid of
+  // bridge faces, so its score is bad; a thin closed surface has none, but its normals oppose each other.
+  const bool no_inside = best.missed > kNoInside;
+  const bool better = sides.score() < (no_inside ? 1 : kMuchBetter) * best.score();
+  const bool best_open = open_ && sides.missed <= kLittleTrouble && complexity <= kLittleTrouble && better;
+  const bool open = open_ ? sides.score() < best.score() : sides.quality.bridging > kLid;
+  const bool plain =
+      open && sides.missed <= kPlainMissed && complexity <= kPlainComplex &&
+      sides.quality.conflict < (no_inside ? kPlainConflict : kFarLessConflict) * best.quality.conflict;
+  if (best_open || plain) return open_ ? std::move(sides) : mended(std::move(sides));
+  const bool two_sided = complexity <= kMostComplex && better;
+  return carve_further(two_sided ? std::move(sides) : std::move(best), two_sided);
+}
+
+// Carves at several widths and convictions, and keeps the best. `two_sided`: `best` is that of two sides;
+// false once a carving is better.
+Pipeline::Candidate Pipeline::by_widths(Candidate best, bool& two_sided) {
+  for (const auto& carving : kCarvings) {
+    // Measured: no better than two sides for slabs and shells, and as slow as the others together.
+    if (two_sided && carving.conviction > kConviction) continue;
+    monitor_.enter("carving", monitor_.share());
+    Candidate other = measured(cut(ball_belief(carving.width, kCarveSlope), carving.conviction, best.open));
+    if (other.score() < carving.share * best.score()) best = std::move(other), two_sided = false;
+  }
+  return best;
+}
+
+// Carves, then cuts the best again by its own normals. If many sites are still off, because inside and
+// outside cannot be distinguished, also tries the film from the sphere.
+Pipeline::Candidate Pipeline::carve_further(Candidate best, bool two_sided) {
+  best = by_widths(std::move(best), two_sided);
+  if (!two_sided) best = refined(std::move(best));
+  best = mended(std::move(best));
+  const auto enough = static_cast<std::int64_t>(kMuchTrouble * static_cast<double>(sites_.size()));
+  if (!best.surface.triangles.empty() && best.quality.off <= enough) return best;
+  Candidate film = film_from_outside();
+  if (film.score() < best.score()) best = std::move(film);
+  return best;
 }
 
 // The surfaces that a film starts from, in the order in which they are tried. A wrap finer than the gaps
@@ -592,7 +750,7 @@ void Pipeline::rounds(Candidate& best) {
     ++report_.rounds;
     monitor_.progress(0.5 + 0.45 * round / options_.max_rounds);
     Candidate next = after_last_step(without_dangling(best));
-    if (!(next.energy < best.energy)) break;
+    if (!(next.score() < best.score())) break;
     best = std::move(next);
   }
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -59,8 +58,7 @@ class Pipeline {
     /// favours outside (LabelCosts).
     std::vector<double> hold;
     std::optional<Vec3> viewpoint{};  ///< of a depth image
-    /// surface_energy(), by the normals of neighbourhoods; measured() sets it
-    double energy = std::numeric_limits<double>::infinity();
+    double score() const;             ///< lower is better
   };
   // The labels of several cuts by one belief.
   struct Cuts {
@@ -89,10 +87,13 @@ class Pipeline {
   Candidate cut(const std::vector<double>& belief, double conviction, bool open,
                 bool reaches_infinity = false);
   Cuts several_cuts(const std::vector<double>& hold, bool reaches_infinity);
-  Candidate cut_sides(const RimRule& rim, const Vec3* viewpoint);
+  Candidate cut_sides(const RimRule& rim, const Vec3* viewpoint, bool open, bool reaches_infinity);
   Candidate cut_two_sides();
   Candidate cut_image(const Vec3& viewpoint);
-  Candidate with_view(Candidate best, const DepthImage& view);
+  Candidate with_sides(Candidate best, Candidate sides);
+  Candidate closed_if_torn(Candidate open, Candidate closed);
+  Candidate by_widths(Candidate best, bool& two_sided);
+  Candidate carve_further(Candidate best, bool two_sided);
   Candidate refined(Candidate best);
   Candidate mended(Candidate candidate, Mend mend = Mend::All);
   Surface surface_of(const std::vector<char>& labels, bool open) const;
@@ -103,11 +104,13 @@ class Pipeline {
   std::optional<Vec3> given_viewpoint() const;
   std::optional<DepthImage> image_of(const std::vector<Vec3>& places);
   std::optional<DepthImage> given_view();
+  bool is_better_view(const DepthImage& image, Surface found) const;
 
   // Comparisons.
   Candidate measured(Candidate candidate) const;
+  double open_surface_score(const SurfaceQuality& quality) const;    // lower is better
+  double closed_surface_score(const SurfaceQuality& quality) const;  // lower is better
   static bool has_shape(const Candidate& candidate);
-  bool is_clear(const Candidate& candidate) const;
   static bool needs_no_round(const Candidate& candidate);
 
   // The paper's film.

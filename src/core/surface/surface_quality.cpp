@@ -12,29 +12,28 @@ namespace filmsticking {
 
 SurfaceQuality surface_quality(const Surface& surface, const SiteGeometry& geometry) {
   SurfaceQuality quality;
-  double area = 0, sum = 0;
+  double area = 0, sum = 0, whole = 0, wide = 0;
   std::vector<Vec3> vertex_normal(geometry.spacing.size(), Vec3::Zero());
   for (const Corners& t : surface.triangles) {
     const Vec3 &a = surface.positions[t[0]], &b = surface.positions[t[1]], &c = surface.positions[t[2]];
     const Vec3 normal = (b - a).cross(c - a);
     const double twice = normal.norm();
     if (!(twice > 0)) continue;
-    double disagree = 0, spacing = 0, sample = 0;
+    double disagree = 0, spacing = 0;
     for (Index v : t) {
       vertex_normal[surface.site[v]] += normal;
       disagree += 1 - std::abs(normal.dot(geometry.normal[surface.site[v]])) / twice;
       spacing = std::max(spacing, geometry.spacing[surface.site[v]]);
-      sample += geometry.spacing[surface.site[v]] * geometry.spacing[surface.site[v]] / 3;
     }
     // A bridge face weighs as much as one sample.
     const double weight = std::min(twice, 2 * spacing * spacing);
     area += weight;
     sum += weight * disagree / 3;
-    quality.area += twice / 2 / sample;
-    quality.roughness += std::min(twice / 2 / sample, 1.0) * disagree / 3;
+    whole += twice;
     if ((a - b).norm() * (b - c).norm() * (c - a).norm() / (2 * twice) > 3 * spacing)
-      ++quality.wide_faces;
+      ++quality.wide_faces, wide += twice;
   }
+  if (whole > 0) quality.bridging = wide / whole;
   if (area > 0) quality.disagreement = sum / area;
   std::int64_t pairs = 0, opposed = 0;
   for (Index s : surface.site)
@@ -52,8 +51,7 @@ SurfaceQuality surface_quality(const Surface& surface, const SiteGeometry& geome
   const auto faces = static_cast<std::int64_t>(surface.triangles.size());
   const std::int64_t euler =
       euler_characteristic(static_cast<std::int64_t>(surface.positions.size()), faces, rim);
-  quality.loops = boundary_loops(twin);
-  quality.handles = std::max<std::int64_t>(0, genus(pieces, euler, quality.loops));
+  quality.handles = std::max<std::int64_t>(0, genus(pieces, euler, boundary_loops(twin)));
   quality.complexity = pieces + std::max<std::int64_t>(0, genus(pieces, euler, 0));
   quality.off =
       static_cast<std::int64_t>(geometry.spacing.size()) - sites_on(surface, geometry.spacing.size());

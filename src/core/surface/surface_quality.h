@@ -17,11 +17,9 @@ struct SurfaceQuality {
   /// Fraction of pairs of near sites on the surface whose normals oppose each other; 0 is best.
   double conflict = 1;
   std::int64_t wide_faces = 0;  ///< faces with a circumradius above three spacings: plates and bridges
-  double area = 0;              ///< in samples: of each face over the squared spacing of its corners
-  double roughness = 0;         ///< sum of each face's disagreement, times its area, at most one sample
+  double bridging = 0;          ///< their fraction of the area
   std::int64_t handles = 0;     ///< genus, summed over the components
   std::int64_t complexity = 0;  ///< components, handles and half the boundary loops
-  std::int64_t loops = 0;       ///< of the boundary
   std::int64_t off = 0;         ///< sites that are no vertex
 };
 

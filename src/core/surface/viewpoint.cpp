@@ -184,6 +184,13 @@ bool is_seen_once(const Surface& surface, const Vec3& viewpoint, const Cancel& c
   return share_of_lines(surface, cancel, crossed_again) <= kCrossAgain;
 }
 
+double odd_crossing_share(const Surface& surface, const Vec3& viewpoint, const Cancel& cancel) {
+  return share_of_lines(surface, cancel, [&](Index face) {
+    const Vec3 x = middle(surface, face);
+    return crossings(surface, x, viewpoint - x, 0, face) % 2 == 0;  // the face itself is one more
+  });
+}
+
 double turned_away_share(const Surface& surface, const Vec3& viewpoint) {
   double all = 0, away = 0;
   for (Index t = 0; t < static_cast<Index>(surface.triangles.size()); ++t) {

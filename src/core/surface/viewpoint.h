@@ -16,6 +16,10 @@ Vec3 common_viewpoint(const Surface& surface);
 /// Do most lines through the viewpoint cross the surface at most once? True for a scan from there.
 bool is_seen_once(const Surface& surface, const Vec3& viewpoint, const Cancel& cancel = {});
 
+/// The fraction of the lines from the viewpoint through the surface that cross it an odd number of times.
+/// Near 0 for a closed surface, however thin; near 1 for a surface seen from there.
+double odd_crossing_share(const Surface& surface, const Vec3& viewpoint, const Cancel& cancel = {});
+
 /// The fraction of the area that shows the viewpoint another side than most of the area; at most a half.
 double turned_away_share(const Surface& surface, const Vec3& viewpoint);
 

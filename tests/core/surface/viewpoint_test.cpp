@@ -108,6 +108,8 @@ TEST(Viewpoint, SeesABallTwiceAndHalfOfItOnce) {
       half.triangles.push_back(t);
   EXPECT_TRUE(is_seen_once(half, Vec3(0, 0, 9)));
   EXPECT_FALSE(is_seen_once(half, Vec3(9, 0, 0)));
+  EXPECT_LE(odd_crossing_share(ball, Vec3(0, 0, 9)), 0.01);  // a line may meet a vertex
+  EXPECT_GE(odd_crossing_share(half, Vec3(0, 0, 9)), 0.8);   // and the rim goes to and fro
   EXPECT_NEAR(turned_away_share(half, Vec3(0, 0, 99)), 0, 0.02);
   EXPECT_NEAR(turned_away_share(half, Vec3(99, 0, 0)), 0.5, 0.02);
 }
@@ -116,6 +118,7 @@ TEST(Viewpoint, OfNothingIsNoMatter) {
   const Surface none;
   EXPECT_TRUE(common_viewpoint(none).allFinite());
   EXPECT_TRUE(is_seen_once(none, Vec3::Zero()));
+  EXPECT_EQ(odd_crossing_share(none, Vec3::Zero()), 0);
   EXPECT_EQ(turned_away_share(none, Vec3::Zero()), 0);
 }
 
