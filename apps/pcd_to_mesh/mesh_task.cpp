@@ -135,7 +135,8 @@ void run(const Task& task, const CommandLine& command, const Progress& progress,
   if (outcome.result.status != Status::Ok)
     throw io::IoError(outcome.facts.input + ": " + outcome.result.message);
   if (command.options.stability)
-    vertices = with_file(outcome.facts.input, [&] { return coloured_by_stability(vertices, outcome.result); });
+    vertices =
+        with_file(outcome.facts.input, [&] { return coloured_by_stability(vertices, outcome.result); });
   with_file(outcome.facts.output, [&] { write_output(task, command, vertices, outcome.result.triangles); });
 }
 

@@ -40,8 +40,7 @@ const std::vector<std::string>& columns() {
     std::vector<std::string> all = {
         "shape",       "kind",      "points",          "seed",   "method",  "threads",
         "run",         "status",    "message",         "timing", "seconds", "seconds_with_needs",
-        "cpu_seconds", "memory_mb", "bytes_per_point", "rooms",
-        "steps", "fields"};
+        "cpu_seconds", "memory_mb", "bytes_per_point", "rooms",  "steps",   "fields"};
     all.insert(all.end(), judged_columns().begin(), judged_columns().end());
     return all;
   }();

@@ -9,7 +9,8 @@ namespace filmsticking::bench {
 
 /// Nothing for no values.
 std::optional<double> mean(const std::vector<double>& values);
-std::optional<double> standard_deviation(const std::vector<double>& values);  ///< of the values, not an estimate
+std::optional<double> standard_deviation(
+    const std::vector<double>& values);  ///< of the values, not an estimate
 std::optional<double> geometric_mean(const std::vector<double>& values);
 std::optional<double> median(std::vector<double> values);
 

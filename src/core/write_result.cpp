@@ -87,8 +87,8 @@ void describe_result(const SurfaceTopology& topology, Result& result) {
 void write_result(const FinishedSurface& finished, const SiteSet& sites, const SiteGeometry& geometry,
                   const std::vector<float>& stability, bool may_be_open, Result& result) {
   const std::vector<Corners> turned = number_vertices(finished.surface, sites, result);
-  sort_triangles(turned, face_gaps(finished.surface, geometry),
-                 least_of_corners(finished.surface, stability), result);
+  sort_triangles(turned, face_gaps(finished.surface, geometry), least_of_corners(finished.surface, stability),
+                 result);
   describe_result(finished.topology, result);
   const Report& report = result.report;
   if (result.vertices.size() != finished.surface.site.size() || !report.manifold ||

@@ -23,7 +23,8 @@ TEST(Stability, IsTheShareOfFacetsWhoseTetrahedraAStepKeeps) {
   LabelledFilm film{std::make_shared<const PowerComplex>(sites, mesh.tets), {}};
   test::Random random(8);
   for (std::size_t t = 0; t < mesh.size(); ++t)
-    film.inside.push_back(static_cast<char>(!mesh.tets.infinite(static_cast<Index>(t)) && random.below(2) == 1));
+    film.inside.push_back(
+        static_cast<char>(!mesh.tets.infinite(static_cast<Index>(t)) && random.below(2) == 1));
   for (int round = 0; round < 3; ++round) {
     const std::vector<float> shares = site_stability(mesh, sites, film.inside);
     std::int64_t held = 0;
