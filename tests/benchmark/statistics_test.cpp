@@ -21,6 +21,9 @@ TEST(Statistics, Means) {
   EXPECT_DOUBLE_EQ(*median({9, 1, 2}), 2);
   EXPECT_DOUBLE_EQ(*median({9, 1, 2, 4}), 3);
   EXPECT_NEAR(*geometric_mean({1, 4, 16}), 4, 1e-12);
+  EXPECT_FALSE(standard_deviation({}));
+  EXPECT_DOUBLE_EQ(*standard_deviation({3}), 0);
+  EXPECT_DOUBLE_EQ(*standard_deviation({1, 3, 5, 7}), std::sqrt(5));
 }
 
 TEST(Statistics, GrowthExponent) {
