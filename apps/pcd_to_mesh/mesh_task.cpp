@@ -89,7 +89,7 @@ io::Cloud read_and_filter(const Task& task, const CommandLine& command, TaskResu
 /// The places of the vertices, from white, where all faces around are stable, to red.
 pcl::PCLPointCloud2 coloured_by_stability(const pcl::PCLPointCloud2& vertices, const Result& result) {
   if (result.stability.empty())
-    throw io::IoError("the surface of a depth image has no stability; leave --stability out");
+    throw io::IoError("this surface has no stability, as that of a depth image; leave --stability out");
   std::vector<double> sum(result.vertices.size(), 0), faces(result.vertices.size(), 0);
   for (std::size_t t = 0; t < result.triangles.size(); ++t)
     for (const std::int32_t v : result.triangles[t])

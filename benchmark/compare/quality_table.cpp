@@ -14,19 +14,21 @@ namespace {
 
 using Rows = std::vector<const Row*>;
 
-/// Over the rows that know the column.
-std::optional<double> mean_of(const Rows& rows, const std::string& column) {
+/// Of the rows that know the column.
+std::vector<double> values_of(const Rows& rows, const std::string& column) {
   std::vector<double> values;
   for (const Row* row : rows)
     if (const auto value = row->number(column)) values.push_back(*value);
-  return mean(values);
+  return values;
 }
 
-/// Mean and standard deviation over the rows that know the column.
+std::optional<double> mean_of(const Rows& rows, const std::string& column) {
+  return mean(values_of(rows, column));
+}
+
+/// Mean and standard deviation.
 std::string spread_of(const Rows& rows, const std::string& column, int digits) {
-  std::vector<double> values;
-  for (const Row* row : rows)
-    if (const auto value = row->number(column)) values.push_back(*value);
+  const std::vector<double> values = values_of(rows, column);
   const auto deviation = standard_deviation(values);
   return rounded(mean(values), digits) + (deviation ? " ± " + rounded(deviation, digits) : "");
 }

@@ -26,8 +26,8 @@ struct Result {
   std::vector<float> gaps;
   /// [triangle]: from 0 to 1, how much of the surface around it one more film step would keep: the least of
   /// its corners, each the share of its faces, before sharp edges, that stay. Low where the samples alone do
-  /// not tell inside from outside: thin plates, chance gaps, noise. Empty without Options::stability, and for
-  /// a depth image's open surface.
+  /// not tell inside from outside: thin plates, chance gaps, noise. Empty without Options::stability, for a
+  /// depth image's open surface, and for the last resort of a flat cloud, one grown tetrahedron.
   std::vector<float> stability;
   Report report;  ///< what was done, up to a failure
 };

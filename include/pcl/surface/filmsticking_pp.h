@@ -183,7 +183,8 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
 
   /** \brief The confidence in each output triangle, from 0 to 1: how much of the surface around it one more
    * film step would keep. Low in thin plates, chance gaps and noise. Empty without setComputeStability(),
-   * on failure, and for the open surface of a depth image.
+   * on failure, for the open surface of a depth image, and for a cloud so flat that the last resort made
+   * its surface.
    */
   const std::vector<float>& getFaceStability() const { return face_stability_; }
 
