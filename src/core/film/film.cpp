@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "film/attraction_weights.h"
+#include "film/cavities.h"
 #include "film/virtual_sites.h"
 
 namespace filmsticking {
@@ -19,16 +20,17 @@ class Evolution {
  public:
   Evolution(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites, const std::vector<double>& spacing,
             const FilmOptions& options)
-      : points_(sites),
+      : mesh_(mesh),
+        points_(sites),
         spacing_(spacing),
         options_(options),
         plain_(std::make_shared<const PowerComplex>(sites, mesh.tets)) {}
 
-  void start(const std::function<bool(const Vec3&)>& contains, const TetrahedralMesh& mesh) {
+  void start(const std::function<bool(const Vec3&)>& contains) {
     film_ = first_ = film_within(contains, plain_);
     if (options_.virtual_sites != 0) {
       std::vector<Vec3> sites = points_;
-      const std::vector<Vec3> extra = virtual_sites(mesh, spacing_, options_.virtual_sites, first_.inside);
+      const std::vector<Vec3> extra = virtual_sites(mesh_, spacing_, options_.virtual_sites, first_.inside);
       sites.insert(sites.end(), extra.begin(), extra.end());
       if (!extra.empty()) film_ = film_within(contains, complex_of(std::move(sites), {}));
     }
@@ -40,24 +42,26 @@ class Evolution {
 
   void start(std::vector<char> labels) { film_ = first_ = {plain_, std::move(labels)}; }
 
-  // Ends: each step but two raises the number of points on the film.
+  // Ends: each step but three raises the number of points on the film.
   std::vector<char> run() {
-    bool weighted = false;
+    enum { kPlain, kCavities, kWeights } by = kPlain;
     std::size_t best = 0;
     bool stalled = false;
     std::vector<char> sides = site_sides(film_);
     for (int step = 1; step < options_.max_steps; ++step) {
       options_.limits.cancel();
       if (stalled) {
-        if (weighted || !options_.weights) break;
-        weighted = true;
+        if (by == kWeights || !options_.weights) break;
+        by = by == kPlain ? kCavities : kWeights;
       }
       const auto start = std::chrono::steady_clock::now();
       StepRecord record;
-      std::shared_ptr<const PowerComplex> complex =
-          weighted ? attracting(sides, record) : kept_sites(sides, record);
-      if (weighted && record.weighted == 0) break;
-      const std::size_t on = advance(std::move(complex), sides, record);
+      std::shared_ptr<const PowerComplex> complex = by == kWeights    ? attracting(sides, record)
+                                                    : by == kCavities ? plain_
+                                                                      : kept_sites(sides, record);
+      if (by == kWeights && record.weighted == 0) break;
+      std::size_t on = advance(std::move(complex), sides, record);
+      if (by == kCavities) on = leave_cavities(sides, record);
       const auto enough = static_cast<std::size_t>(kRise * static_cast<double>(points_.size()));
       stalled = on <= best + enough;
       best = std::max(best, on);
@@ -109,6 +113,22 @@ class Evolution {
     } else if (next.complex == plain_ || film_.complex == plain_) {
       film_ = first_;
     }
+    return count(sides, record);
+  }
+
+  // Leaves the cavities of a film on plain_, if that brings points onto it. Returns their number.
+  std::size_t leave_cavities(std::vector<char>& sides, StepRecord& record) {
+    const std::int64_t before = record.attracted;
+    const std::vector<char> with = film_.inside;
+    const std::vector<char> cavity = cavities(mesh_, points_, spacing_, with, sides);
+    for (std::size_t t = 0; t < cavity.size(); ++t)
+      if (cavity[t]) film_.inside[t] = 0;
+    if (const std::size_t on = count(sides, record); record.attracted >= before) return on;
+    film_.inside = with;
+    return count(sides, record);
+  }
+
+  std::size_t count(std::vector<char>& sides, StepRecord& record) const {
     sides = site_sides(film_);
     const auto end = sides.begin() + static_cast<std::ptrdiff_t>(points_.size());
     record.attracted = std::count(sides.begin(), end, kOnFilm);
@@ -121,6 +141,7 @@ class Evolution {
     if (options_.after_step) options_.after_step(record, film_);
   }
 
+  const TetrahedralMesh& mesh_;
   const std::vector<Vec3>& points_;
   const std::vector<double>& spacing_;
   const FilmOptions& options_;
@@ -134,7 +155,7 @@ std::vector<char> evolve_film(const std::function<bool(const Vec3&)>& contains, 
                               const std::vector<Vec3>& sites, const std::vector<double>& spacing,
                               const FilmOptions& options) {
   Evolution evolution(mesh, sites, spacing, options);
-  evolution.start(contains, mesh);
+  evolution.start(contains);
   return evolution.run();
 }
 

@@ -7,6 +7,7 @@
 
 #include "geometry/disjoint_sets.h"
 #include "geometry/parallel.h"
+#include "geometry/triangle_circle.h"
 
 namespace filmsticking {
 namespace {
@@ -15,51 +16,29 @@ Index least_corner(const std::array<Index, 4>& corners) {
   return *std::min_element(corners.begin(), corners.end());
 }
 
-Vec3 centroid(const PowerComplex& complex, const std::array<Index, 4>& corners) {
-  Vec3 sum = Vec3::Zero();
-  for (const Index v : corners) sum += complex.sites()[v];
-  return sum / 4;
-}
-
-/// Decides which tetrahedra that would leave the film are held.
-class Memory {
- public:
-  Memory(const LabelledFilm& before, const LabelledFilm& after, const std::vector<double>& spacing)
-      : before_(before),
-        after_(after),
-        spacing_(spacing),
-        old_(site_sides(before)),
-        now_(site_sides(after)) {}
-
-  bool holds(std::size_t t) const {
-    const PowerComplex& complex = *after_.complex;
-    if (after_.inside[t] || complex.tetrahedra().infinite(static_cast<Index>(t)) || complex.flat(t))
-      return false;
-    const auto& corners = complex.tetrahedra().corners[t];
-    bool all_on = true, lost = false;
-    double scale = 0;
-    Index near = kNone;
-    for (const Index v : corners) {
-      if (static_cast<std::size_t>(v) >= spacing_.size()) {
-        all_on = false;
-        continue;
-      }
-      scale = std::max(scale, spacing_[v]);
-      all_on = all_on && old_[v] == kOnFilm;
-      lost = lost || (old_[v] == kOnFilm && now_[v] != kOnFilm);
-      near = v;
-    }
-    if (!all_on && !lost) return false;
-    const double radius = (complex.orthocentre(t) - complex.sites()[corners[0]]).norm();
-    return radius < kHeldWidth * scale && before_.contains(centroid(complex, corners), near);
+// The tetrahedron stays by memory, though its orthocentre is outside. `sides`: of the film before.
+bool stays(const LabelledFilm& before, const std::vector<char>& sides, const PowerComplex& complex,
+           std::size_t t, const std::vector<double>& spacing) {
+  const auto& corners = complex.tetrahedra().corners[t];
+  double scale = 0;
+  Index reached = kNone;
+  Vec3 centroid = Vec3::Zero();
+  for (const Index v : corners) {
+    centroid += complex.sites()[v] / 4;
+    if (static_cast<std::size_t>(v) >= spacing.size()) continue;
+    scale = std::max(scale, spacing[v]);
+    if (sides[v] == kOnFilm) reached = v;
   }
-
- private:
-  const LabelledFilm& before_;
-  const LabelledFilm& after_;
-  const std::vector<double>& spacing_;
-  const std::vector<char> old_, now_;
-};
+  if (reached == kNone) return false;
+  const double widest = kHeldWidth * scale;
+  for (int k = 0; k < 4; ++k) {
+    const auto& f = kFacet[k];
+    const auto& sites = complex.sites();
+    if (circumradius2(sites[corners[f[0]]], sites[corners[f[1]]], sites[corners[f[2]]]) >= widest * widest)
+      return false;
+  }
+  return before.contains(centroid, reached);
+}
 
 /// The boundary facets, glued along their edges through the inside.
 class Sheets {
@@ -174,13 +153,16 @@ LabelledFilm film_step(const LabelledFilm& film, std::shared_ptr<const PowerComp
     next.inside[t] = flow != nullptr ? film.inside[(*flow)[t]]
                                      : static_cast<char>(film.contains(tetrahedra.orthocentre(t), near));
   });
-  held = 0;
-  if (!memory) return next;
-  const Memory rule(film, next, spacing);
   std::vector<char> back(next.inside.size(), 0);
-  parallel_each(back.size(), [&](std::size_t t) { back[t] = static_cast<char>(rule.holds(t)); });
+  const std::vector<char> sides = memory ? site_sides(film) : std::vector<char>();
+  parallel_each(back.size(), [&](std::size_t t) {
+    if (memory && !next.inside[t] && !tetrahedra.tetrahedra().infinite(static_cast<Index>(t)) &&
+        !tetrahedra.flat(t))
+      back[t] = static_cast<char>(stays(film, sides, tetrahedra, t, spacing));
+  });
+  held = std::count(back.begin(), back.end(), 1);
   for (std::size_t t = 0; t < back.size(); ++t)
-    if (back[t]) next.inside[t] = 1, ++held;
+    if (back[t]) next.inside[t] = 1;
   return next;
 }
 

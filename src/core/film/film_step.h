@@ -37,15 +37,17 @@ LabelledFilm film_within(const std::function<bool(const Vec3&)>& contains,
 /// `complex`: of the next weights and virtual sites; may be that of `film`. `spacing`: of the points, which
 /// are the first sites of both. `held`: receives the number of tetrahedra that keep their label.
 ///
-/// With `memory` (the paper's smoothness rule, section 4.4) the film keeps what it has reached. A tetrahedron
-/// narrower than kHeldWidth stays inside if all its corners were on the film, or if else one would leave it.
-/// Without this rule the two sides of a plate thinner than the spacing give way to each other.
+/// With `memory` (the paper's smoothness rule, section 4.4) the film keeps what it has reached: a tetrahedron
+/// with a corner on the old film stays inside if all its facets are narrower than kHeldWidth. Without this
+/// rule a film digs into walls and the two sides of thin plates give way to each other.
 LabelledFilm film_step(const LabelledFilm& film, std::shared_ptr<const PowerComplex> complex,
                        const std::vector<double>& spacing, bool memory, std::int64_t& held);
 
-/// Orthoradius of a tetrahedron below which memory may hold it, in the largest spacing of its corners. The
-/// same width below which no virtual site fits.
-constexpr double kHeldWidth = 2;
+/// Circumradius of a facet below which memory holds, in the largest spacing of the tetrahedron's corners.
+/// Twice the width at which a film enters (kRoomWidth): at a thin plate the sites of both sides count in the
+/// spacing, which is a factor of 1.4, and chance makes wide gaps. Halved, the benchmark's hyperboloid has 1.5
+/// times the Chamfer distance; doubled, 2.1 times.
+constexpr double kHeldWidth = 4;
 
 /// The film's facets, closed. A site at which the film touches itself has a vertex for each of its sheets, at
 /// the same place, so this is a manifold unless a sheet touches itself along two edges. `points`: their
