@@ -13,8 +13,8 @@ struct StepRecord {
   std::int64_t attracted = 0;     ///< points on the film after the step
   std::int64_t virtual_left = 0;  ///< virtual sites not yet attracted
   std::int64_t weighted = 0;      ///< points that were given a weight in this step
-  /// Tetrahedra that the step would have taken from the inside, and that memory held: few on a solid, most
-  /// of the inside of a plate thinner than the spacing.
+  /// Tetrahedra that the step would have taken from the inside, and that memory held: those between
+  /// near points of the film.
   std::int64_t held = 0;
   double seconds = 0;  ///< wall time
 };
