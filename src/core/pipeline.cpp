@@ -26,6 +26,7 @@
 #include "labelling/two_sides.h"
 #include "labelling/unfold.h"
 #include "labelling/warp.h"
+#include "surface/energy.h"
 #include "surface/open_surface.h"
 #include "surface/surface_normals.h"
 #include "surface/viewpoint.h"
@@ -546,6 +547,22 @@ Pipeline::Candidate Pipeline::labelling(std::vector<double> guess) {
     if (best.quality.complexity > 1) best = mended(std::move(best), Mend::Plugs);
     return best;
   }
+  return open_ ? beyond_first(std::move(best)) : or_solid(best, beyond_first(best));
+}
+
+// The first surface, mended, where it has an inside and its energy is the lower. Noise gives a shell two
+// skins of samples, which others tear apart; the first is the solid, with a lid over its opening.
+Pipeline::Candidate Pipeline::or_solid(Candidate first, Candidate found) {
+  const auto energy = [&](const Candidate& candidate) {
+    return surface_energy(candidate.quality, candidate.inserted, sites_.size());
+  };
+  if (!has_shape(first) || !(energy(first) < energy(found))) return found;
+  use_normals_of(first.surface);
+  return mended(std::move(first));
+}
+
+// Where the first cut misses many sites, by local evidence alone: tries other starts too.
+Pipeline::Candidate Pipeline::beyond_first(Candidate best) {
   if (best.missed <= kSomeTrouble) return carve_further(std::move(best), false);
 
   if (!open_)

@@ -84,6 +84,8 @@ class Pipeline {
 
   // Labellings.
   Candidate labelling(std::vector<double> guess);
+  Candidate beyond_first(Candidate best);
+  Candidate or_solid(Candidate first, Candidate found);
   Candidate cut(const std::vector<double>& belief, double conviction, bool open,
                 bool reaches_infinity = false);
   Cuts several_cuts(const std::vector<double>& hold, bool reaches_infinity);

@@ -317,6 +317,40 @@ TEST(Reconstruct, Regression_ABottleWithThinWallsIsOpen) {
   EXPECT_GE(right, 3);  // of the others the necks are tight for their gaps
 }
 
+// Noise gives a shell two skins of samples. Torn into a double wall, these shapes had a tenth of their volume
+// and tens of handles; a lid over the opening has half the area.
+TEST(Reconstruct, Regression_ANoisySolidWithAnOpeningGetsALid) {
+  struct Shape {
+    const char* name;
+    std::vector<std::array<double, 2>> profile;
+  };
+  const Shape shapes[] = {{"cup", {{0, -1}, {1, -1}, {1, 0.6}}},
+                          {"tube", {{0.7, -1.4}, {0.7, 1.4}}},
+                          {"dome", {{0.87, -0.5}, {1, 0}, {0.87, 0.5}, {0.5, 0.87}, {0, 1}}}};
+  for (const Shape& shape : shapes) {
+    double volume = 0, area = 0;
+    for (std::size_t i = 1; i < shape.profile.size(); ++i) {
+      const auto &a = shape.profile[i - 1], &b = shape.profile[i];
+      volume += M_PI / 3 * (a[0] * a[0] + a[0] * b[0] + b[0] * b[0]) * (b[1] - a[1]);
+      area += M_PI * (a[0] + b[0]) * std::hypot(b[0] - a[0], b[1] - a[1]);
+    }
+    int right = 0;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      auto points = test::revolved(4000, seed, shape.profile);
+      const double noise = 0.18 * std::sqrt(area / 4000);
+      test::Random random(seed + 100);
+      for (Point& p : points)
+        for (double& x : p)  // variance of a sum of three
+          x += noise * (random.uniform(-1, 1) + random.uniform(-1, 1) + random.uniform(-1, 1));
+      const Result result = reconstruct(points);
+      const double got = test::signed_volume(mesh_of(result, points)) / 6;
+      right += result.report.genus == 0 && result.report.components == 1 && got > 0.8 * std::abs(volume) &&
+               got < 1.1 * std::abs(volume);
+    }
+    EXPECT_GE(right, 4) << shape.name;
+  }
+}
+
 TEST(Reconstruct, ACavityIsACutOutOfTheVolume) {
   auto points = test::sphere(4000, 7);
   for (const Point& p : test::sphere(1000, 8, {0, 0, 0}, 0.5)) points.push_back(p);

@@ -19,19 +19,24 @@ SurfaceQuality surface_quality(const Surface& surface, const SiteGeometry& geome
     const Vec3 normal = (b - a).cross(c - a);
     const double twice = normal.norm();
     if (!(twice > 0)) continue;
-    double disagree = 0, spacing = 0;
+    double disagree = 0, spacing = 0, sample = 0;
     for (Index v : t) {
       vertex_normal[surface.site[v]] += normal;
       disagree += 1 - std::abs(normal.dot(geometry.normal[surface.site[v]])) / twice;
       spacing = std::max(spacing, geometry.spacing[surface.site[v]]);
+      sample += geometry.spacing[surface.site[v]] * geometry.spacing[surface.site[v]] / 3;
     }
     // A bridge face weighs as much as one sample.
     const double weight = std::min(twice, 2 * spacing * spacing);
     area += weight;
     sum += weight * disagree / 3;
     whole += twice;
-    if ((a - b).norm() * (b - c).norm() * (c - a).norm() / (2 * twice) > 3 * spacing)
+    quality.area += twice / 2 / sample;
+    if ((a - b).norm() * (b - c).norm() * (c - a).norm() / (2 * twice) > 3 * spacing) {
       ++quality.wide_faces, wide += twice;
+    } else {
+      quality.roughness += std::min(twice / 2 / sample, 1.0) * std::log1p(disagree / 3 / kUsualDeviation);
+    }
   }
   if (whole > 0) quality.bridging = wide / whole;
   if (area > 0) quality.disagreement = sum / area;

@@ -22,6 +22,11 @@ TEST(SurfaceQuality, OfASmoothBallIsNearlyPerfect) {
   EXPECT_EQ(quality.conflict, 0);
   EXPECT_EQ(quality.wide_faces, 0);
   EXPECT_EQ(quality.bridging, 0);
+  const auto sites = static_cast<double>(ball.positions.size());
+  EXPECT_GT(quality.area, 0.5 * sites);
+  EXPECT_LT(quality.area, 2 * sites);
+  EXPECT_LT(quality.roughness, quality.disagreement * quality.area / kUsualDeviation);  // ln(1 + x) < x
+  EXPECT_GT(quality.roughness, 0);
   EXPECT_EQ(quality.handles, 0);
   EXPECT_EQ(quality.complexity, 1);
   EXPECT_EQ(quality.off, 0);
@@ -73,6 +78,7 @@ TEST(SurfaceQuality, SeesBridgesAndOpposedNeighbours) {
   bridged.triangles.push_back({0, 12, 168});  // three corners of the sheet
   const SurfaceQuality quality = surface_quality(bridged, geometry);
   EXPECT_EQ(quality.wide_faces, 1);
+  EXPECT_GT(quality.area, 1.2 * surface_quality(sheet, geometry).area);
   EXPECT_NEAR(quality.bridging, 1. / 3, 1e-9);  // half of the sheet's area, of one and a half
 }
 
