@@ -24,9 +24,12 @@
 namespace filmsticking {
 namespace {
 
-SiteSet sites_of(const PointsView& points, Report& report) {
-  SiteSet sites = make_site_set(points);
-  report.sites = static_cast<std::int64_t>(sites.size());
+SiteSet sites_of(const PointsView& points, const Options& options, Report& report) {
+  SiteSet sites = make_site_set(points, options.keep_outliers);
+  // What is left may enclose no volume, as a plane under one far point.
+  if (sites.absurd > 0 && (sites.size() < 4 || sites.coplanar(points))) sites = make_site_set(points, true);
+  report.outliers = sites.absurd;
+  report.sites = static_cast<std::int64_t>(sites.size()) + sites.absurd;
   report.non_finite = sites.non_finite;
   report.duplicates = sites.duplicates;
   if (sites.size() < 4)
@@ -55,12 +58,12 @@ void run(const PointsView& points, const Options& options, const Execution& exec
   Monitor monitor(execution, report);
 
   monitor.enter("sites", 0);
-  SiteSet sites = sites_of(points, report);
+  SiteSet sites = sites_of(points, options, report);
   const TriangulationLimits limits = triangulation_limits(report, options, monitor.cancel());
 
   monitor.enter("triangulation", 0.02);
   SiteGeometry geometry = site_geometry(sites.perturbed);
-  if (!options.keep_outliers) report.outliers = drop_outliers(sites, points, geometry);
+  if (!options.keep_outliers) report.outliers += drop_outliers(sites, points, geometry);
 
   // An open depth image needs no tetrahedra.
   Pipeline pipeline(points, sites, geometry, options, monitor, report);

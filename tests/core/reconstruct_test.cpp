@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -349,6 +350,34 @@ TEST(Reconstruct, Regression_ANoisySolidWithAnOpeningGetsALid) {
     }
     EXPECT_GE(right, 4) << shape.name;
   }
+}
+
+// A value that stands for "no return" is one outlier, and the rest is as without it.
+TEST(Reconstruct, Regression_OneHugeValueIsOneOutlier) {
+  const auto points = test::ellipsoid(600, 3, 10);
+  const Result alone = reconstruct(points);
+  for (const double huge :
+       {1e6, 1e10, 1e30, double{std::numeric_limits<float>::max()}, -std::numeric_limits<double>::max()}) {
+    auto with = points;
+    with.push_back({huge, huge, huge});
+    with.push_back({1, huge, 2});
+    const Result result = reconstruct(with);
+    ASSERT_EQ(result.status, Status::Ok) << huge << ": " << result.message;
+    EXPECT_EQ(result.report.outliers, 2) << huge;
+    EXPECT_EQ(result.report.sites, 602) << huge;
+    EXPECT_EQ(result.vertices, alone.vertices) << huge;
+    EXPECT_EQ(result.triangles, alone.triangles) << huge;
+    Options keep;
+    keep.keep_outliers = true;
+    EXPECT_EQ(reconstruct(with, keep).report.outliers, 0) << huge;
+  }
+  // A plane and one point far from it: nothing else encloses a volume.
+  std::vector<Point> tent;
+  for (int i = 0; i < 100; ++i) tent.push_back({double(i % 10), double(i / 10), 0});
+  tent.push_back({5, 5, 1e6});
+  const Result result = reconstruct(tent);
+  EXPECT_EQ(result.status, Status::Ok) << result.message;
+  EXPECT_EQ(result.report.outliers, 0);
 }
 
 TEST(Reconstruct, ACavityIsACutOutOfTheVolume) {

@@ -15,6 +15,11 @@
 namespace filmsticking {
 namespace {
 
+// Distance from the median point, over that within which two thirds of the points lie. Beyond, a point would
+// decide the scale of all others: the perturbation would be 2e-4 of their extent. A third as in outliers.cpp.
+constexpr double kAbsurd = 1e4;
+constexpr double kCore = 2. / 3;
+
 // In units of the box. A rotated plane is as thick as this after rounding to float.
 constexpr double kFlat = 3e-7;
 
@@ -112,24 +117,56 @@ Vec3 place_of(const PointsView& points, const Entry& entry) {
   return {p[0], p[1], p[2]};
 }
 
+double middle(std::vector<double>& values) {
+  const std::size_t half = values.size() / 2;
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(half), values.end());
+  if (values.size() % 2 != 0) return values[half];
+  // The mean of both middles, so that a mirrored cloud has the mirrored median.
+  const double below = *std::max_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(half));
+  return 0.5 * below + 0.5 * values[half];
+}
+
+// Drops points absurdly far from all the rest, as values that stand for "no return".
+void drop_absurd(const PointsView& points, std::vector<Entry>& entries, SiteSet& set) {
+  Vec3 median;
+  std::vector<double> values(entries.size());
+  for (int k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < entries.size(); ++i) values[i] = place_of(points, entries[i])[k];
+    median[k] = middle(values);
+  }
+  // Along the axes: squares would overflow.
+  const auto distance = [&](const Entry& entry) {
+    return (place_of(points, entry) * 0.5 - median * 0.5).cwiseAbs().maxCoeff();
+  };
+  for (std::size_t i = 0; i < entries.size(); ++i) values[i] = distance(entries[i]);
+  const auto core = values.begin() + static_cast<std::ptrdiff_t>(kCore * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), core, values.end());
+  const double most = kAbsurd * *core;
+  if (!(most > 0)) return;  // two thirds of the points are equal
+  const auto far = std::remove_if(entries.begin(), entries.end(),
+                                  [&](const Entry& entry) { return distance(entry) > most; });
+  set.absurd = std::distance(far, entries.end());
+  entries.erase(far, entries.end());
+}
+
 // Also sets the input's box.
-std::vector<Entry> finite_points(const PointsView& points, SiteSet& set) {
+std::vector<Entry> finite_points(const PointsView& points, bool keep_absurd, SiteSet& set) {
   std::vector<Entry> entries;
   entries.reserve(points.size());
-  const double inf = std::numeric_limits<double>::infinity();
-  Vec3 lo(inf, inf, inf), hi(-inf, -inf, -inf);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point p = points[i];
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) {
-      ++set.non_finite;
-      continue;
-    }
-    const Vec3 v(p[0], p[1], p[2]);
+    if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]))
+      entries.push_back({0, static_cast<std::int32_t>(i)});
+  }
+  set.non_finite = static_cast<std::int64_t>(points.size() - entries.size());
+  if (!keep_absurd && !entries.empty()) drop_absurd(points, entries, set);
+  if (entries.empty()) return entries;
+  Vec3 lo = place_of(points, entries[0]), hi = lo;
+  for (const Entry& entry : entries) {
+    const Vec3 v = place_of(points, entry);
     lo = lo.cwiseMin(v);
     hi = hi.cwiseMax(v);
-    entries.push_back({0, static_cast<std::int32_t>(i)});
   }
-  if (entries.empty()) return entries;
   // Halves first: the box of extreme coordinates must not overflow.
   set.centre = lo * 0.5 + hi * 0.5;
   const double half = (hi * 0.5 - lo * 0.5).maxCoeff();
@@ -173,9 +210,9 @@ Vec3 perturbed(const Vec3& p) {
 
 }  // namespace
 
-SiteSet make_site_set(const PointsView& points) {
+SiteSet make_site_set(const PointsView& points, bool keep_absurd) {
   SiteSet set;
-  std::vector<Entry> entries = finite_points(points, set);
+  std::vector<Entry> entries = finite_points(points, keep_absurd, set);
   if (entries.empty()) return set;
   sort_along_curve(points, set, entries);
   set.duplicates = drop_repeated(points, entries);

@@ -33,6 +33,8 @@ struct SiteSet {
   std::vector<std::int32_t> input;  ///< site i is point input[i], the first of equal points
   std::int64_t non_finite = 0;
   std::int64_t duplicates = 0;
+  /// Points 10,000 times as far from the median point as two thirds of all: they would decide the scale.
+  std::int64_t absurd = 0;
   Vec3 centre = Vec3::Zero();  ///< centre of the input's box, in the caller's unit
   double side = 1;             ///< longest side of the input's box, in the caller's unit; > 0
 
@@ -58,9 +60,10 @@ struct SiteSet {
 /// make cospherical sites the rule. A float resolves 6e-8 of the box, so this changes no measured digit.
 constexpr double kPerturbation = 2e-8;
 
-/// Never fails; may give fewer sites than points, or none. The order and the perturbation depend on the
-/// coordinates alone. So the result does not depend on the order of the points, a rotation by 90 degrees
-/// (unless it maps the cloud to itself), a scale by a power of two, or a shift that rounds nothing.
-SiteSet make_site_set(const PointsView& points);
+/// `keep_absurd`: takes them as sites. Never fails; may give fewer sites than points, or none. The order and
+/// the perturbation depend on the coordinates alone. So the result does not depend on the order of the
+/// points, a rotation by 90 degrees (unless it maps the cloud to itself), a scale by a power of two, or a
+/// shift that rounds nothing.
+SiteSet make_site_set(const PointsView& points, bool keep_absurd = false);
 
 }  // namespace filmsticking
