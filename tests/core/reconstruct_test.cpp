@@ -361,10 +361,12 @@ TEST(Reconstruct, Regression_OneHugeValueIsOneOutlier) {
     auto with = points;
     with.push_back({huge, huge, huge});
     with.push_back({1, huge, 2});
+    with.push_back({1, huge, 2});
     const Result result = reconstruct(with);
     ASSERT_EQ(result.status, Status::Ok) << huge << ": " << result.message;
     EXPECT_EQ(result.report.outliers, 2) << huge;
     EXPECT_EQ(result.report.sites, 602) << huge;
+    EXPECT_EQ(result.report.duplicates, 1) << huge;
     EXPECT_EQ(result.vertices, alone.vertices) << huge;
     EXPECT_EQ(result.triangles, alone.triangles) << huge;
     Options keep;

@@ -143,10 +143,16 @@ void drop_absurd(const PointsView& points, std::vector<Entry>& entries, SiteSet&
   std::nth_element(values.begin(), core, values.end());
   const double most = kAbsurd * *core;
   if (!(most > 0)) return;  // two thirds of the points are equal
-  const auto far = std::remove_if(entries.begin(), entries.end(),
-                                  [&](const Entry& entry) { return distance(entry) > most; });
-  set.absurd = std::distance(far, entries.end());
+  const auto far = std::partition(entries.begin(), entries.end(),
+                                  [&](const Entry& entry) { return distance(entry) <= most; });
+  std::vector<Vec3> dropped;
+  std::for_each(far, entries.end(), [&](const Entry& entry) { dropped.push_back(place_of(points, entry)); });
   entries.erase(far, entries.end());
+  std::sort(dropped.begin(), dropped.end(), [](const Vec3& p, const Vec3& q) {
+    return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
+  });
+  set.absurd = std::distance(dropped.begin(), std::unique(dropped.begin(), dropped.end()));
+  set.duplicates = static_cast<std::int64_t>(dropped.size()) - set.absurd;
 }
 
 // Also sets the input's box.
@@ -215,7 +221,7 @@ SiteSet make_site_set(const PointsView& points, bool keep_absurd) {
   std::vector<Entry> entries = finite_points(points, keep_absurd, set);
   if (entries.empty()) return set;
   sort_along_curve(points, set, entries);
-  set.duplicates = drop_repeated(points, entries);
+  set.duplicates += drop_repeated(points, entries);
 
   const auto unit_place = [&](std::size_t i) {
     return set.to_unit(points[static_cast<std::size_t>(entries[i].id)]);

@@ -33,7 +33,8 @@ struct SiteSet {
   std::vector<std::int32_t> input;  ///< site i is point input[i], the first of equal points
   std::int64_t non_finite = 0;
   std::int64_t duplicates = 0;
-  /// Points 10,000 times as far from the median point as two thirds of all: they would decide the scale.
+  /// Distinct points 10,000 times as far from the median point as two thirds of all: they would decide the
+  /// scale.
   std::int64_t absurd = 0;
   Vec3 centre = Vec3::Zero();  ///< centre of the input's box, in the caller's unit
   double side = 1;             ///< longest side of the input's box, in the caller's unit; > 0
