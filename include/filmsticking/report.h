@@ -33,8 +33,8 @@ struct Report {
   std::int64_t non_finite = 0;    ///< points skipped: a coordinate is NaN or infinite
   std::int64_t duplicates = 0;    ///< points skipped: equal to an earlier one
   std::int64_t interpolated = 0;  ///< sites that are vertices of the result
-  /// Sites left out because no others are near, or absurdly far from all (Options::keep_outliers). At most a
-  /// third of the sites: if more look like outliers, none is left out. None on an evenly sampled surface.
+  /// Sites left out because no others are near, or absurdly far from all (Options::keep_outliers). Of each
+  /// kind at most a third: if more look lonely, none of them is left out. None on an evenly sampled surface.
   std::int64_t outliers = 0;
   std::int64_t tetrahedra =
       0;  ///< of the Delaunay triangulation; 0 for an open depth image, which needs none

@@ -48,16 +48,12 @@ constexpr double kKeptShare = 0.8;
 // Fraction of missed sites that the next cut still misses. Above: stop.
 constexpr double kStalled = 0.95;
 
-// Price of a component or a handle in Candidate::score(), in sites off the surface.
-constexpr double kComplexityPrice = 5;
+// Of sites and handles: the same in Candidate::score(), in the cut and in the energy.
+constexpr EnergyPrices kPrices;
 // Price per fraction of area in bridge faces, where 1 is the price of normals that disagree everywhere.
 constexpr double kBridgePrice = 0.5;
 // Price per fraction of near sites with opposite normals.
 constexpr double kOppositePrice = 0.1;
-// Price of an inserted site, in sites off the surface: it is on the surface, but did not get there by itself.
-constexpr double kInsertedPrice = 0.2;
-// Price of a site off the surface, in areas of one sample.
-constexpr double kOffPrice = 5;
 
 // Carvings, in this order. Width: the ball that carves the outside does not enter narrower places, in
 // spacings. Conviction: see above; a weak one gives up shapes whose walls are thin nearly everywhere. Share:
@@ -176,8 +172,8 @@ double Pipeline::Candidate::score() const {
   if (surface.triangles.empty()) return std::numeric_limits<double>::infinity();
   const double sites = static_cast<double>(surface.site.size()) + static_cast<double>(quality.off);
   return quality.disagreement + kOppositePrice * quality.conflict + kBridgePrice * quality.bridging +
-         (static_cast<double>(quality.off) + kInsertedPrice * static_cast<double>(inserted) +
-          kComplexityPrice * static_cast<double>(quality.complexity)) /
+         (static_cast<double>(quality.off) + kPrices.inserted * static_cast<double>(inserted) +
+          kPrices.complexity * static_cast<double>(quality.complexity)) /
              sites;
 }
 
@@ -236,7 +232,7 @@ std::vector<double> Pipeline::off_prices() const {
   std::vector<double> prices(sites_.size());
   parallel_each(prices.size(), [&](std::size_t v) {
     const double spacing = std::min(geometry_.spacing[v], near_spacing(geometry_, static_cast<Index>(v)));
-    prices[v] = kOffPrice * spacing * spacing;
+    prices[v] = kPrices.off * spacing * spacing;
   });
   return prices;
 }

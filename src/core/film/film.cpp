@@ -116,7 +116,7 @@ class Evolution {
     return count(sides, record);
   }
 
-  // Leaves the cavities of a film on plain_, if that brings points onto it. Returns their number.
+  // Leaves the cavities of a film on plain_, unless that takes points off it. Returns the number on it.
   std::size_t leave_cavities(std::vector<char>& sides, StepRecord& record) {
     const std::int64_t before = record.attracted;
     const std::vector<char> with = film_.inside;

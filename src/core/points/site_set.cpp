@@ -31,6 +31,10 @@ std::uint64_t mix(std::uint64_t x) {
   return x ^ (x >> 33);
 }
 
+bool precedes(const Vec3& p, const Vec3& q) {
+  return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
+}
+
 std::uint64_t bits_of(double x) {
   std::uint64_t bits;
   x += 0.0;  // -0 becomes 0
@@ -148,9 +152,7 @@ void drop_absurd(const PointsView& points, std::vector<Entry>& entries, SiteSet&
   std::vector<Vec3> dropped;
   std::for_each(far, entries.end(), [&](const Entry& entry) { dropped.push_back(place_of(points, entry)); });
   entries.erase(far, entries.end());
-  std::sort(dropped.begin(), dropped.end(), [](const Vec3& p, const Vec3& q) {
-    return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
-  });
+  std::sort(dropped.begin(), dropped.end(), precedes);
   set.absurd = std::distance(dropped.begin(), std::unique(dropped.begin(), dropped.end()));
   set.duplicates = static_cast<std::int64_t>(dropped.size()) - set.absurd;
 }
@@ -188,8 +190,7 @@ void sort_along_curve(const PointsView& points, const SiteSet& set, std::vector<
     if (a.code != b.code) return a.code < b.code;
     const Vec3 p = place_of(points, a), q = place_of(points, b);
     if (p == q) return a.id < b.id;
-    const Vec3 u = set.turn(p), v = set.turn(q);
-    return std::lexicographical_compare(u.data(), u.data() + 3, v.data(), v.data() + 3);
+    return precedes(set.turn(p), set.turn(q));
   });
 }
 

@@ -4,10 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "film/film_step.h"
-#include "film/initial_surface.h"
 #include "support/clouds.h"
 #include "support/field_setting.h"
 
@@ -54,7 +55,7 @@ TEST(Cavities, AreWhatWallsOfMissedSitesEnclose) {
   }
 }
 
-TEST(Cavities, LeaveAFilmClosedForAnyCloudAndAnyLabels) {
+TEST(Cavities, ArePartOfTheInsideOfAnyLabels) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const std::vector<Point> cloud = test::awkward(seed);
     if (make_site_set(cloud).size() < 5) continue;

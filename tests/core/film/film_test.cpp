@@ -74,8 +74,7 @@ TEST(Film, VirtualSitesLeaveAndTakeFewerSteps) {
   EXPECT_GT(run.on, 2980);
 }
 
-// A flask whose mouth is too narrow for a film, and a hollow ball: the tetrahedra within are outside at last,
-// those of the wall inside.
+// A flask whose mouth is too narrow for a film, and a hollow ball: the tetrahedra within are outside at last.
 TEST(Film, EntersCavitiesItCannotReach) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     auto hollow = test::sphere(3000, seed);
