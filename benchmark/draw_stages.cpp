@@ -83,7 +83,7 @@ class Stages {
     evidence_ = facet_evidence(mesh_, sites_, geometry_);
     for (const char inside : dense_film(mesh_, sites_, geometry_.spacing, 2))
       guess_.push_back(inside != 0 ? 1 : -1);
-    field_ = signed_field(mesh_, evidence_, guess_);
+    field_ = signed_field(mesh_, evidence_, geometry_, guess_);
     hold_.resize(mesh_.size());
     for (std::size_t t = 0; t < mesh_.size(); ++t) {
       const auto& area = evidence_.area[t];

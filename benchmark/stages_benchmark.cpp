@@ -41,7 +41,7 @@ class Stages {
     evidence = facet_evidence(mesh, sites, geometry);
     for (const double width : ball_widths(mesh, sites, geometry.spacing, 1, 3))
       guess.push_back(std::isfinite(width) ? std::clamp((2 - width) * 3, -1.0, 1.0) : -1);
-    belief = signed_field(mesh, evidence, guess);
+    belief = signed_field(mesh, evidence, geometry, guess);
     inside = cut();
     film = boundary_film();
   }
@@ -125,7 +125,7 @@ void register_stages() {
         [](const Stages& s) { return facet_evidence(s.mesh, s.sites, s.geometry).cost.size(); });
   stage("carve widths",
         [](const Stages& s) { return ball_widths(s.mesh, s.sites, s.geometry.spacing, 1, 3).size(); });
-  stage("signed field", [](const Stages& s) { return signed_field(s.mesh, s.evidence, s.guess).size(); });
+  stage("signed field", [](const Stages& s) { return signed_field(s.mesh, s.evidence, s.geometry, s.guess).size(); });
   stage("minimum cut", [](const Stages& s) { return s.cut().size(); });
   stage("manifold labels and their boundary",
         [](const Stages& s) { return s.boundary_film().triangles.size(); });

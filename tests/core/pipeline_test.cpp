@@ -116,7 +116,6 @@ TEST(Pipeline, APlateThinnerThanItsSpacingIsASheetByItsTwoSides) {
   const FoundSurface found = plate.run();
   expect_surface_of_sites(found, false);
   EXPECT_TRUE(plate.entered("two sides"));
-  EXPECT_FALSE(plate.entered("carving"));
   EXPECT_GE(plate.share_on(found.surface), 0.99);
 }
 
@@ -180,15 +179,15 @@ TEST(Pipeline, AGivenViewpointChangesNothingOfAClosedSphere) {
   EXPECT_FALSE(one.viewpoint);
 }
 
-TEST(Pipeline, WithoutAnInsideTheFilmFromTheSphereIsTried) {
-  int films = 0;
+// Nothing that is slow is tried where nothing can be decided.
+TEST(Pipeline, WithoutAnInsideTheLeastEnergyIsTaken) {
   for (const std::uint64_t seed : {16, 18, 28}) {
     Setting scattered(test::awkward(seed));
     const FoundSurface found = scattered.run();
     expect_surface_of_sites(found, true);
-    films += scattered.entered("first surface") && !scattered.report.steps.empty();
+    EXPECT_TRUE(scattered.entered("carving"));
+    EXPECT_FALSE(scattered.entered("first surface"));
   }
-  EXPECT_GE(films, 1);
 }
 
 TEST(Pipeline, AFilmStartsFromTheSurfaceThatIsAskedFor) {

@@ -31,6 +31,14 @@ double cosine(const TetrahedralMesh& mesh, Index t, const Vec3& corner, const Ve
 
 }  // namespace
 
+double sampled_area(const TetrahedralMesh& mesh, const FacetEvidence& evidence, const SiteGeometry& geometry,
+                    std::size_t t, int k) {
+  double spacing = 0;
+  for (const int j : kFacet[k])
+    if (const Index v = mesh.tets.corners[t][j]; v != kNone) spacing = std::max(spacing, geometry.spacing[v]);
+  return std::min(double{evidence.area[t][k]}, kMostSamples * spacing * spacing);
+}
+
 FacetEvidence facet_evidence(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
                              const SiteGeometry& geometry) {
   FacetEvidence evidence;

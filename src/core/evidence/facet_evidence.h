@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "delaunay/tetrahedral_mesh.h"
 #include "points/site_geometry.h"
@@ -25,6 +26,14 @@ struct FacetEvidence {
   /// tetrahedra's circumspheres. A high value is bad.
   UnsetVector<std::array<float, 4>> cost;
 };
+
+/// Most samples that a facet speaks for. A facet over an opening is far larger, and no sample lies on it: by
+/// its area it would make what is inside equal to the outside, and draw a lid in.
+constexpr double kMostSamples = 4;
+
+/// The area of facet k of t, at most that of kMostSamples samples.
+double sampled_area(const TetrahedralMesh& mesh, const FacetEvidence& evidence, const SiteGeometry& geometry,
+                    std::size_t t, int k);
 
 /// `mesh`: the Delaunay tetrahedra of `sites`.
 FacetEvidence facet_evidence(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,

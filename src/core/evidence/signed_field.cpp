@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evidence/signed_field.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -23,9 +24,11 @@ constexpr double kDiagonal = 1e-9;
 /// tetrahedra are given: they have neither rows nor columns. Single precision suffices for the change.
 class FieldSystem {
  public:
-  FieldSystem(const TetrahedralMesh& mesh, const FacetEvidence& evidence, std::vector<double> guess)
+  FieldSystem(const TetrahedralMesh& mesh, const FacetEvidence& evidence, const SiteGeometry& geometry,
+              std::vector<double> guess)
       : mesh_(mesh),
         evidence_(evidence),
+        geometry_(geometry),
         size_(mesh.size()),
         unit_(one_over_mean_area()),
         field_(std::move(guess)),
@@ -71,7 +74,7 @@ class FieldSystem {
   }
 
   double strength(std::size_t t, int k) const {
-    return kVoteCoupling[evidence_.votes[t][k]] * double{evidence_.area[t][k]} * unit_;
+    return kVoteCoupling[evidence_.votes[t][k]] * sampled_area(mesh_, evidence_, geometry_, t, k) * unit_;
   }
 
   // Returns the squared residual of a field that is wrong by one everywhere. (The usual measure, the pull of
@@ -128,6 +131,7 @@ class FieldSystem {
 
   const TetrahedralMesh& mesh_;
   const FacetEvidence& evidence_;
+  const SiteGeometry& geometry_;
   const std::size_t size_;
   const double unit_;
   std::vector<double> field_;
@@ -139,8 +143,9 @@ class FieldSystem {
 }  // namespace
 
 std::vector<double> signed_field(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
-                                 std::vector<double> guess, const Cancel& cancel) {
-  return FieldSystem(mesh, evidence, std::move(guess)).solve(cancel);
+                                 const SiteGeometry& geometry, std::vector<double> guess,
+                                 const Cancel& cancel) {
+  return FieldSystem(mesh, evidence, geometry, std::move(guess)).solve(cancel);
 }
 
 }  // namespace filmsticking

@@ -6,6 +6,7 @@
 #include "delaunay/tetrahedral_mesh.h"
 #include "evidence/facet_evidence.h"
 #include "geometry/work_limits.h"
+#include "points/site_geometry.h"
 
 namespace filmsticking {
 
@@ -14,11 +15,12 @@ namespace filmsticking {
 ///
 /// A facet with two or three votes pulls the tetrahedra on its two sides to opposite beliefs, a facet with
 /// one or none to equal beliefs, by kVoteCoupling. Infinite tetrahedra are outside. The least-squares
-/// compromise, weighted by the facets' areas, is a linear system with a signed Laplacian (after Kolluri,
-/// Shewchuk and O'Brien, "Spectral surface reconstruction from noisy point clouds", 2004, with the outside
-/// given instead of an eigenvector). Conjugate gradients solve it from `guess`, one value per tetrahedron.
-/// Throws Cancelled.
+/// compromise, weighted by the facets' areas, up to kMostSamples samples each, is a linear system with a
+/// signed Laplacian (after Kolluri, Shewchuk and O'Brien, "Spectral surface reconstruction from noisy point
+/// clouds", 2004, with the outside given instead of an eigenvector). Conjugate gradients solve it from
+/// `guess`, one value per tetrahedron. Throws Cancelled.
 std::vector<double> signed_field(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
-                                 std::vector<double> guess, const Cancel& cancel = {});
+                                 const SiteGeometry& geometry, std::vector<double> guess,
+                                 const Cancel& cancel = {});
 
 }  // namespace filmsticking

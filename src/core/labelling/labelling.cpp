@@ -239,7 +239,9 @@ Effect Labelling::effect(const Move& move) {
     const Census now = census_after(v, move);
     e.surplus += now.surplus() - census_[v].surplus();
     e.euler += now.sheets() - census_[v].sheets();
-    e.cost += (static_cast<int>(now.off()) - static_cast<int>(census_[v].off())) * costs_.off[v];
+    const int leaves = static_cast<int>(now.off()) - static_cast<int>(census_[v].off());
+    e.off += leaves;
+    e.cost += leaves * costs_.off[v];
   }
   for (Index t : move) flip(t);
   return e;

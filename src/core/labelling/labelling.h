@@ -55,6 +55,7 @@ struct Census {
 struct Effect {
   int surplus = 0;  ///< Surplus pieces, over all sites.
   int euler = 0;  ///< Euler characteristic, with the sheets at singular sites taken apart. -2: a handle more.
+  int off = 0;    ///< Sites that leave the surface, less those that join it.
   double cost = 0;  ///< Of facets, held labels and sites off the surface.
 };
 

@@ -10,6 +10,7 @@
 #include "labelling/plugs.h"
 #include "labelling/roughness.h"
 #include "labelling/ways.h"
+#include "surface/energy.h"
 
 namespace filmsticking {
 namespace {
@@ -32,9 +33,9 @@ constexpr double kBridgeRadii[] = {1, 1.5};
 constexpr double kBarRadii[] = {3, 2.5, 2, 1.75, 1.5, 1.25, 1};
 
 // All worths are in sites off the surface.
-// Of a tunnel filled. A plug has two lids, which the votes are against where the tunnel is real, and takes a
-// wall away, which they are for then: that costs more.
-constexpr double kTunnelWorth = 3;
+// Of a tunnel filled: what a handle costs in the energy (EnergyPrices). A plug has two lids, which the votes
+// are against where the tunnel is real, and takes a wall away, which they are for then: that costs more.
+constexpr double kTunnelWorth = EnergyPrices().complexity;
 // Of a piece less. Two parts may lie close to each other, so this is little: in a tear the votes are for a
 // plug, or hardly against it.
 constexpr double kTearWorth = 0.5;

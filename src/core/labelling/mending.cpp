@@ -11,6 +11,9 @@ namespace {
 // The cost of a cap is known when its surroundings are at rest. More rounds than a tetrahedron is wide lead
 // away from it.
 constexpr int kRelaxRounds = 10;
+// Sites that a filled tunnel may bury. Chance leaves no sample between the sides of a wall; samples that line
+// a tunnel show that it is one.
+constexpr int kMostBuried = 1;
 // What a move is worth then, in sites off the surface: more than rounding.
 constexpr double kRelaxGain = 1e-6;
 
@@ -21,7 +24,7 @@ class Trial {
 
   void make(const Move& move, std::vector<Index>& singular) {
     const Effect e = labelling_.effect(move);
-    cost_ += e.cost, euler_ += e.euler;
+    cost_ += e.cost, euler_ += e.euler, off_ += e.off;
     labelling_.apply(move, &singular);
     changed_.insert(changed_.end(), move.begin(), move.end());
   }
@@ -82,12 +85,13 @@ class Trial {
 
   double cost() const { return cost_; }
   int euler() const { return euler_; }
+  int off() const { return off_; }
   const Move& changed() const { return changed_; }
 
  private:
   Labelling& labelling_;
   double cost_;
-  int euler_ = 0;
+  int euler_ = 0, off_ = 0;
   Move changed_;
 };
 
@@ -103,6 +107,7 @@ void Mending::try_one(const Move& part, const MendTerms& terms) {
   const auto worth = [&](int handles, int fewer) {
     return (terms.tunnel * handles + terms.tear * fewer) * labelling.site_cost();
   };
+  const bool fills = !labelling.label(part.front());
   const Effect alone = labelling.effect(part);
   if (!terms.relax && alone.surplus == 0 && pieces.count_around(labelling, part) <= 2 &&
       (alone.euler <= 0 || alone.cost >= worth(alone.euler / 2, 0)))
@@ -119,7 +124,8 @@ void Mending::try_one(const Move& part, const MendTerms& terms) {
     const int handles = trial.euler() / 2 + fewer;
     const bool mends = handles >= 0 && fewer >= 0 && handles + fewer > 0;
     if (mends && terms.relax && trial.cost() >= worth(handles, fewer)) trial.come_to_rest();
-    if (mends && trial.cost() < worth(handles, fewer)) {
+    const bool lined = fills && handles > 0 && trial.off() > kMostBuried;
+    if (mends && !lined && trial.cost() < worth(handles, fewer)) {
       pieces.unite_around(labelling, trial.changed());
       labelling.counts.tunnels += handles > 0;
       labelling.counts.tears += fewer > 0;

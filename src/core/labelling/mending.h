@@ -22,7 +22,7 @@ struct MendTerms {
 
 /// Tries mends on a labelling that is a manifold. A mend relabels a part, all of one label, and repairs what
 /// that makes singular. It is kept if it costs less than it is worth, and leaves fewer handles or fewer
-/// pieces, and not more of either; else nothing changes.
+/// pieces, and not more of either; else nothing changes. A tunnel that samples line is not filled.
 class Mending {
  public:
   explicit Mending(Labelling& of) : labelling(of) {}

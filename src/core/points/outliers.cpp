@@ -46,9 +46,10 @@ std::vector<Index> outliers(const Rest& rest, const SiteGeometry& geometry) {
   return ids;
 }
 
-// The nearest sites that are left, the site itself first.
-std::vector<Index> nearest_left(const PointTree& tree, const Vec3& place, const Rest& rest) {
-  const std::size_t wanted = std::min(kNeighbours + 1, rest.size);
+// The nearest sites that are left, the site itself first: so many, or all that there are.
+std::vector<Index> nearest_left(const PointTree& tree, const Vec3& place, const Rest& rest,
+                                std::size_t count) {
+  const std::size_t wanted = std::min(count, rest.size);
   for (std::size_t asked = 2 * wanted;; asked *= 2) {  // ends: at the latest when it asks for all
     std::vector<Index> near = tree.nearest(place, asked);
     near.erase(std::remove_if(near.begin(), near.end(), [&](Index i) { return !rest.left[i]; }), near.end());
@@ -70,9 +71,10 @@ void take_out(const std::vector<Index>& out, const std::vector<Vec3>& places, co
     if (!rest.left[i]) return;
     double distance2 = 0;
     gone_tree.nearest(places[i], &distance2);
-    const double radius = neighbour_radius(geometry, static_cast<Index>(i)) * (1 + 1e-9);
+    const double radius = geometry.radius[i] * (1 + 1e-9);
     if (!all_near && distance2 > radius * radius) return;
-    describe_site(geometry, places, static_cast<Index>(i), nearest_left(tree, places[i], rest));
+    describe_site(geometry, places, static_cast<Index>(i),
+                  [&](std::size_t count) { return nearest_left(tree, places[i], rest, count); });
   });
 }
 
@@ -88,7 +90,8 @@ void close_ranks(const Rest& rest, SiteSet& sites, SiteGeometry& geometry) {
     list.resize(kept);
   };
   close(sites.perturbed), close(sites.input);
-  close(geometry.spacing), close(geometry.near), close(geometry.normal), close(geometry.variation);
+  close(geometry.spacing), close(geometry.radius), close(geometry.near), close(geometry.normal),
+      close(geometry.variation);
   close(geometry.offset);
   for (auto& near : geometry.near)
     for (Index& i : near)

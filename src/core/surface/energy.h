@@ -14,13 +14,16 @@ struct EnergyPrices {
   /// Of a site that joined the surface at the end, in sites off: it is on it, but not by itself.
   double inserted = 0.2;
   double complexity = 5;  ///< of a component or a handle, in sites off
+  /// Of a site whose near sites all oppose it (SurfaceQuality::conflict), in samples. A sheet that winds from
+  /// one side of the points to the other has such sites where it passes through.
+  double conflict = 1;
 };
 
-/// What a closed surface of `sites` sites costs, per site; the least is the best. Points that are drawn from
-/// a surface, one to an area of s^2, have a negative log-likelihood of its area over s^2. The normals of
-/// faces around the fitted ones have another, SurfaceQuality::roughness. So a surface pays for its area, its
-/// roughness, the sites off it, and its handles. Infinite for an empty surface. `inserted`: sites that joined
-/// it at the end.
+/// What a surface of `sites` sites costs, per site; the least is the best. Points that are drawn from a
+/// surface, one to an area of s^2, have a negative log-likelihood of its area over s^2. The normals of faces
+/// around the fitted ones have another, SurfaceQuality::roughness. So a surface pays for its area, its
+/// roughness, the sites off it, its handles and components, and neighbours that oppose each other. Infinite
+/// for an empty surface. `inserted`: sites that joined it at the end.
 ///
 /// A shell of noise torn into two skins has twice the area of a solid with a lid, and is nearly as rough. A
 /// plate with both sides has twice the area of one layer that goes to and fro between them, and is smooth.

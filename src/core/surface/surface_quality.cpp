@@ -40,12 +40,17 @@ SurfaceQuality surface_quality(const Surface& surface, const SiteGeometry& geome
   }
   if (whole > 0) quality.bridging = wide / whole;
   if (area > 0) quality.disagreement = sum / area;
+  std::vector<Index> vertex(geometry.spacing.size(), kNone);
+  for (std::size_t v = 0; v < surface.site.size(); ++v) vertex[surface.site[v]] = static_cast<Index>(v);
   std::int64_t pairs = 0, opposed = 0;
-  for (Index s : surface.site)
-    for (Index other : geometry.near[s]) {
-      if (other == kNone || vertex_normal[other].isZero()) continue;
+  for (std::size_t v = 0; v < surface.site.size(); ++v)
+    for (Index other : geometry.near[surface.site[v]]) {
+      if (other == kNone || vertex[other] == kNone) continue;
       ++pairs;
-      opposed += vertex_normal[s].dot(vertex_normal[other]) < 0;
+      const Vec3 &m = vertex_normal[surface.site[v]], &n = vertex_normal[other],
+                 way = surface.positions[vertex[other]] - surface.positions[v];
+      const bool back_to_back = m.dot(way) < 0 && n.dot(way) > 0;
+      opposed += m.dot(n) < 0 && !back_to_back;
     }
   if (pairs > 0) quality.conflict = static_cast<double>(opposed) / static_cast<double>(pairs);
   std::vector<Index> component;

@@ -14,7 +14,8 @@ namespace filmsticking {
 struct SurfaceQuality {
   /// Mean of 1 - |face normal . fitted normal| by area; 0 is best. A face counts at most one sample's area.
   double disagreement = 1;
-  /// Fraction of pairs of near sites on the surface whose normals oppose each other; 0 is best.
+  /// Fraction of pairs of near sites on the surface whose normals oppose each other, unless they are back to
+  /// back, as the two sides of a wall are; 0 is best.
   double conflict = 1;
   std::int64_t wide_faces = 0;  ///< faces with a circumradius above three spacings: plates and bridges
   double bridging = 0;          ///< their fraction of the area

@@ -18,7 +18,7 @@ TEST(SignedField, KnowsNestedSpheresByParity) {
   auto points = test::sphere(6000, 5);
   for (const Point& p : test::sphere(1500, 6, {0, 0, 0}, 0.5)) points.push_back(p);
   const Setting s(points);
-  const auto field = signed_field(s.mesh, s.evidence, std::vector<double>(s.mesh.size(), 0));
+  const auto field = signed_field(s.mesh, s.evidence, s.geometry, std::vector<double>(s.mesh.size(), 0));
   int right = 0, all = 0;
   for (std::size_t t = 0; t < s.mesh.size(); ++t) {
     if (s.mesh.tets.infinite(static_cast<Index>(t))) continue;
@@ -33,7 +33,7 @@ TEST(SignedField, KnowsNestedSpheresByParity) {
 TEST(SignedField, OfOneSphereIsPositiveInsideWhateverTheGuess) {
   const Setting s(test::sphere(3000, 7));
   for (const double guess : {-1.0, 0.0, 1.0}) {
-    const auto field = signed_field(s.mesh, s.evidence, std::vector<double>(s.mesh.size(), guess));
+    const auto field = signed_field(s.mesh, s.evidence, s.geometry, std::vector<double>(s.mesh.size(), guess));
     int right = 0, all = 0;
     for (std::size_t t = 0; t < s.mesh.size(); ++t) {
       if (s.mesh.tets.infinite(static_cast<Index>(t))) {
@@ -50,8 +50,8 @@ TEST(SignedField, OfOneSphereIsPositiveInsideWhateverTheGuess) {
 
 TEST(SignedField, LeavesASolutionAlone) {
   const Setting s(test::torus(2000, 3));
-  const auto once = signed_field(s.mesh, s.evidence, std::vector<double>(s.mesh.size(), 0));
-  const auto twice = signed_field(s.mesh, s.evidence, once);
+  const auto once = signed_field(s.mesh, s.evidence, s.geometry, std::vector<double>(s.mesh.size(), 0));
+  const auto twice = signed_field(s.mesh, s.evidence, s.geometry, once);
   double most = 0;
   for (std::size_t t = 0; t < once.size(); ++t) most = std::max(most, std::abs(once[t] - twice[t]));
   EXPECT_LT(most, 0.01);
@@ -60,7 +60,7 @@ TEST(SignedField, LeavesASolutionAlone) {
 TEST(SignedField, ACancelledSolveThrows) {
   const Setting s(test::sphere(500, 1));
   const std::atomic<bool> wish{true};
-  EXPECT_THROW(signed_field(s.mesh, s.evidence, std::vector<double>(s.mesh.size(), 0), {&wish}), Cancelled);
+  EXPECT_THROW(signed_field(s.mesh, s.evidence, s.geometry, std::vector<double>(s.mesh.size(), 0), {&wish}), Cancelled);
 }
 
 }  // namespace

@@ -236,7 +236,7 @@ struct CutSetting : Setting {
   std::vector<char> cut;
 
   explicit CutSetting(const std::vector<Point>& points) : Setting(points), costs(costs_of(*this)) {
-    const auto belief = signed_field(mesh, evidence, std::vector<double>(mesh.size(), 0));
+    const auto belief = signed_field(mesh, evidence, geometry, std::vector<double>(mesh.size(), 0));
     for (std::size_t t = 0; t < mesh.size(); ++t)
       for (const double area : evidence.area[t]) costs.hold[t] += 0.1 * area * belief[t];
     cut = Sculptor(mesh, evidence, costs.hold).cut();

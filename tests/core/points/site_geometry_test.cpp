@@ -28,7 +28,7 @@ TEST(SiteGeometry, NeighboursAreTheNearestInOrder) {
     std::sort(distance.begin(), distance.end());
     for (std::size_t k = 0; k < 6; ++k)
       EXPECT_EQ((sites[geometry.near[i][k]] - sites[i]).norm(), distance[k]);
-    EXPECT_NEAR(neighbour_radius(geometry, static_cast<Index>(i)), distance[kNeighbours - 1], 1e-12);
+    EXPECT_NEAR(geometry.radius[i], distance[kNeighbours - 1], 1e-12);
   }
 }
 
@@ -50,6 +50,37 @@ TEST(SiteGeometry, NormalsAreThoseOfTheSurfaceUpToSign) {
     right += std::abs(geometry.normal[i].dot(sites[i])) > 0.98;
   }
   EXPECT_GT(right, 3960);
+}
+
+// Of slices of a scan, the nearest neighbours are on one line, whose plane is that of the slice.
+TEST(SiteGeometry, Regression_SlicesFarApartHaveTheNormalsOfTheSurface) {
+  for (const int apart : {1, 4, 8, 16}) {
+    SCOPED_TRACE(apart);
+    const int around = 100;
+    const double step = 2 * M_PI / around;
+    std::vector<Vec3> sites;
+    for (int slice = 0; slice < 12; ++slice)
+      for (int i = 0; i < around; ++i) {
+        const double angle = step * (i + 0.37 * slice);
+        sites.emplace_back(std::cos(angle), std::sin(angle), step * apart * slice);
+      }
+    const SiteGeometry geometry = site_geometry(sites);
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      const Vec3 outward(sites[i].x(), sites[i].y(), 0);
+      EXPECT_GT(std::abs(geometry.normal[i].dot(outward)), 0.9) << i;
+      // A sample covers its share of a slice, and the way to the next; half of that at the ends.
+      const double area = geometry.spacing[i] * geometry.spacing[i] / (step * step * apart);
+      EXPECT_GT(area, 0.5) << i;
+      EXPECT_LT(area, 3) << i;
+    }
+  }
+}
+
+TEST(SiteGeometry, PointsOnOneCurveAreDescribedByTheNearest) {
+  std::vector<Vec3> sites;
+  for (int i = 0; i < 1000; ++i) sites.emplace_back(0.001 * i, 1e-6 * i * i, 0);
+  const SiteGeometry geometry = site_geometry(sites);
+  EXPECT_LT(geometry.radius[500], 10 * (sites[501] - sites[500]).norm());
 }
 
 TEST(SiteGeometry, OnAPlaneNothingVaries) {

@@ -14,6 +14,7 @@ SurfaceQuality plain(double area) {
   SurfaceQuality quality;
   quality.area = area;
   quality.complexity = 1;
+  quality.conflict = 0;
   return quality;
 }
 
@@ -35,6 +36,7 @@ TEST(Energy, EveryTermRaisesItByItsPrice) {
   EXPECT_NEAR(more([](auto& q) { q.off += 4; }), 4 * prices.off, 1e-9);
   EXPECT_NEAR(more([](auto&) {}, 5), 5 * prices.off * prices.inserted, 1e-9);
   EXPECT_NEAR(more([](auto& q) { ++q.complexity; }), prices.off * prices.complexity, 1e-9);
+  EXPECT_NEAR(more([](auto& q) { q.conflict += 0.25; }), 25 * prices.conflict, 1e-9);
 }
 
 // The reason for areas: half a ball, closed flat, against its skin doubled.

@@ -82,6 +82,23 @@ TEST(SurfaceQuality, SeesBridgesAndOpposedNeighbours) {
   EXPECT_NEAR(quality.bridging, 1. / 3, 1e-9);  // half of the sheet's area, of one and a half
 }
 
+// The two sides of a plate oppose each other, too.
+TEST(SurfaceQuality, BackToBackIsNoConflict) {
+  const Surface sheet = test::square_sheet(12, 1);
+  for (const bool outward : {true, false}) {
+    Surface plate = sheet;
+    const auto n = static_cast<Index>(sheet.positions.size());
+    for (Vec3 p : sheet.positions) plate.positions.push_back(p - Vec3(0, 0, 0.03));
+    for (const Corners& t : sheet.triangles) plate.triangles.push_back({t[0] + n, t[2] + n, t[1] + n});
+    if (!outward)
+      for (Corners& t : plate.triangles) std::swap(t[1], t[2]);
+    plate = test::surface_of(plate.positions, plate.triangles);
+    const double conflict = surface_quality(plate, geometry_of(plate)).conflict;
+    EXPECT_EQ(conflict > 0.2, !outward);
+    EXPECT_EQ(conflict > 0, !outward);
+  }
+}
+
 TEST(SurfaceQuality, OfNothingIsTheWorst) {
   const SurfaceQuality quality = surface_quality(Surface(), geometry_of(test::ball()));
   EXPECT_EQ(quality.disagreement, 1);

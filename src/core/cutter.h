@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "delaunay/tetrahedral_mesh.h"
+#include "evidence/facet_evidence.h"
+#include "filmsticking/options.h"
+#include "geometry/monitor.h"
+#include "geometry/surface.h"
+#include "labelling/two_sides.h"
+#include "points/site_geometry.h"
+#include "points/site_set.h"
+#include "surface/surface_quality.h"
+
+namespace filmsticking {
+
+/// A surface that is compared with others by its energy.
+struct Candidate {
+  Surface surface;
+  SurfaceQuality quality;  ///< of the surface
+  /// surface_energy(), by the normals of neighbourhoods. The least is the best; infinite for no surface.
+  double energy = std::numeric_limits<double>::infinity();
+  bool open = false;          ///< bridge faces are removed from the surface
+  std::int64_t inserted = 0;  ///< sites that joined the surface at the end, by insertion or moves
+  double missed = 0;          ///< fraction of the sites that the first cut missed
+  std::vector<char> labels;   ///< [tetrahedron]: 1 inside; empty if there was no cut
+  /// [tetrahedron]: the penalty of the label that its sign opposes; positive favours inside, negative
+  /// favours outside (LabelCosts).
+  std::vector<double> hold;
+  std::optional<Vec3> viewpoint{};  ///< of a depth image
+
+  bool empty() const { return surface.triangles.empty(); }
+};
+
+/// By energy.
+inline bool less(const Candidate& a, const Candidate& b) { return a.energy < b.energy; }
+
+/// Weight of a belief against the facets' evidence, per area.
+constexpr double kConviction = 0.1;
+
+/// Makes candidates: it labels the Delaunay tetrahedra by minimum cuts, makes the labels a manifold, mends
+/// them, and measures their surface. All its functions throw Cancelled.
+class Cutter {
+ public:
+  /// `points`: what the sites were made of. All arguments must outlive it.
+  Cutter(const PointsView& points, const SiteSet& sites, const SiteGeometry& geometry, const Options& options,
+         Monitor& monitor);
+
+  /// Before anything else: the Delaunay triangulation of the perturbed sites.
+  void take(Tetrahedra tetrahedra);
+  const TetrahedralMesh& mesh() const { return mesh_; }
+  const FacetEvidence& evidence() const { return evidence_; }
+
+  /// Cuts by a belief, per tetrahedron: about 1 inside, -1 outside. `conviction`: its weight. `open`: bridge
+  /// faces are removed. `reaches_infinity`: the inside may. Empty if the best cut keeps fewer than half of
+  /// the sites.
+  Candidate cut(std::vector<double> belief, double conviction, bool open, bool reaches_infinity = false);
+  /// Cuts by local evidence alone: the signed field from a guess.
+  Candidate cut_field(std::vector<double> guess, bool open);
+  /// Cuts by the ball that carves the outside and does not enter places narrower than `width` spacings.
+  Candidate cut_ball(double width, double conviction, bool open);
+  /// Cuts by the two sides of an open surface, which are known from the facets alone.
+  Candidate cut_sides(const RimRule& rim, const Vec3* viewpoint, bool open);
+
+  /// Mends by evidence from the surface's own normals, then cuts again by it, while that lowers the energy.
+  /// They are better than those of neighbourhoods, which reach across thin walls and edges. Leaves them as
+  /// the evidence.
+  Candidate refined(Candidate candidate);
+  /// May mending make a candidate better than one that is mended? It takes chance handles and components
+  /// away.
+  bool may_win(const Candidate& candidate, const Candidate& best) const;
+
+  enum class Mend {
+    Plugs,  ///< only plugs: quick
+    All,    ///< all moves
+  };
+  /// Closes chance gaps and opens cavities.
+  Candidate mended(Candidate candidate, Mend mend = Mend::All);
+
+  /// The labels of a film: a manifold, with the sites that are near.
+  Candidate by_film(std::vector<char> labels, const UnsetVector<std::array<float, 4>>& prices);
+  /// A candidate drawn as far towards an aim as its topology allows.
+  Candidate warped(Candidate candidate, const std::vector<char>& aim);
+
+  /// Sets the quality and the energy.
+  Candidate measured(Candidate candidate) const;
+  /// Evidence by a surface's own normals from now on.
+  void use_normals_of(const Surface& surface);
+
+  /// The last resort: the tetrahedron of largest volume, grown to the sites that it reaches, which are
+  /// counted as inserted. A closed manifold; empty only if all tetrahedra are flat.
+  Candidate around_one_tetrahedron();
+
+ private:
+  struct Cuts;
+  Cuts several_cuts(const std::vector<double>& hold, bool reaches_infinity);
+  std::vector<double> off_prices() const;
+  std::vector<char> exempt(const std::vector<char>& labels, bool open) const;
+  Surface surface_of(const std::vector<char>& labels, bool open) const;
+
+  const PointsView& points_;
+  const SiteSet& sites_;
+  const SiteGeometry& geometry_;
+  const Options& options_;
+  Monitor& monitor_;
+  TetrahedralMesh mesh_;
+  // By the normals of neighbourhoods at first.
+  FacetEvidence evidence_;
+};
+
+/// 1 for inside and -1 for outside.
+std::vector<double> belief_of(const std::vector<char>& labels);
+
+}  // namespace filmsticking
