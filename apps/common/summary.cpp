@@ -23,6 +23,7 @@ std::string mesh_summary(const Report& report, const std::string& file) {
                     : 0.0);
   text += "used    " + std::to_string(report.interpolated) + " of " + count(report.sites, "point") + share;
   if (report.outliers > 0) text += ", " + count(report.outliers, "outlier") + " left out";
+  if (!report.warning.empty()) text += "\nnote    " + report.warning;
   return text + "\n";
 }
 

@@ -32,6 +32,7 @@ std::string report_json(const Result& result, const RunFacts& facts) {
                      {"output", facts.output},
                      {"status", status_name(result.status)},
                      {"message", result.message},
+                     {"warning", report.warning},
                      {"read", facts.read},
                      {"points", report.points},
                      {"sites", report.sites},

@@ -18,12 +18,11 @@ struct RunFacts {
 };
 
 /// The report of --report. Its fields:
-///   input, output, status, message: strings; message is empty when status is "Ok"
-///   read: points in the input; points: those that the filters left; sites, non_finite, duplicates: as in
-///   Report
-///   interpolated, interpolated_share (of the sites, 0 to 1), outliers, inserted
-///   vertices, triangles, components, genus, boundary_edges, boundary_loops, closed, manifold: the mesh
-///   rounds; steps: a list of round, attracted, virtual_left, weighted, held, seconds
+///   input, output, status, message, warning: strings; message is empty when status is "Ok", warning unless
+///   the result is doubtful (Report::warning) read: points in the input; points: those that the filters left;
+///   sites, non_finite, duplicates: as in Report interpolated, interpolated_share (of the sites, 0 to 1),
+///   outliers, inserted vertices, triangles, components, genus, boundary_edges, boundary_loops, closed,
+///   manifold: the mesh rounds; steps: a list of round, attracted, virtual_left, weighted, held, seconds
 ///   rooms: a list of room, seconds
 ///   reconstruction_seconds, seconds (with reading and writing), peak_memory_bytes
 std::string report_json(const Result& result, const RunFacts& facts);

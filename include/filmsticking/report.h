@@ -55,6 +55,9 @@ struct Report {
   std::vector<StepRecord> steps;    ///< one per film step, in order
   std::vector<RoomSeconds> rooms;   ///< time per stage, in the order of first entry
   double seconds = 0;               ///< wall time of the whole reconstruction
+  /// One sentence on an input of which the result is doubtful, for people to read; empty for none. The points
+  /// fill a volume, say, and lie not only on its surface.
+  std::string warning;
 };
 
 }  // namespace filmsticking

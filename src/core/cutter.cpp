@@ -169,13 +169,12 @@ Candidate Cutter::cut_sides(const RimRule& rim, const Vec3* viewpoint, bool open
              kSidesConviction, open, open);
 }
 
+// Gaps are filled at the end: a surface with filled gaps would keep the errors beside them in the next cut.
 Candidate Cutter::refined(Candidate candidate) {
   for (int round = 0; round < kRefinements && !candidate.labels.empty(); ++round) {
     use_normals_of(candidate.surface);
     Candidate next = cut_field(belief_of(candidate.labels), candidate.open);
-    if (!may_win(next, candidate) || next.quality.bridging > candidate.quality.bridging + kNewLid) break;
-    next = mended(std::move(next), Mend::Plugs);
-    if (!less(next, candidate)) break;
+    if (!less(next, candidate) || next.quality.bridging > candidate.quality.bridging + kNewLid) break;
     candidate = std::move(next);
   }
   return mended(std::move(candidate));

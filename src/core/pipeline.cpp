@@ -97,13 +97,13 @@ Candidate Pipeline::labelling() {
           return seen;
     view = given_view();
   }
-  Candidate best;
+  Candidate best, raw;
   for (Candidate& start : starts(std::move(first))) {
     if (!cutter_.may_win(start, best)) continue;
-    start = cutter_.mended(std::move(start), Cutter::Mend::Plugs);
-    if (less(start, best)) best = std::move(start);
+    Candidate quick = cutter_.mended(start, Cutter::Mend::Plugs);
+    if (less(quick, best)) best = std::move(quick), raw = std::move(start);
   }
-  best = cutter_.refined(std::move(best));
+  best = cutter_.refined(std::move(raw));
   return view ? with_view(std::move(best), *view) : best;
 }
 

@@ -15,6 +15,7 @@
 #include "failure.h"
 #include "geometry/monitor.h"
 #include "pipeline.h"
+#include "points/filling.h"
 #include "points/outliers.h"
 #include "points/site_set.h"
 #include "resource_limits.h"
@@ -64,6 +65,8 @@ void run(const PointsView& points, const Options& options, const Execution& exec
   monitor.enter("triangulation", 0.02);
   SiteGeometry geometry = site_geometry(sites.perturbed);
   if (!options.keep_outliers) report.outliers += drop_outliers(sites, points, geometry);
+  if (fills_volume(sites.perturbed, geometry))
+    report.warning = "the points fill a volume, as nodes of finite elements do; leave out those inside it";
 
   // An open depth image needs no tetrahedra.
   Pipeline pipeline(points, sites, geometry, options, monitor, report);
@@ -88,6 +91,11 @@ void run(const PointsView& points, const Options& options, const Execution& exec
 
   monitor.enter("result", 0.97);
   write_result(finished, sites, geometry, found->stability, options.open_boundary, result);
+  if (method_of(options) == Method::Labelling &&
+      2 * report.interpolated < static_cast<std::int64_t>(sites.size()))
+    throw Failure(Status::NoSurface,
+                  "the best surface that was found goes through only " + std::to_string(report.interpolated) +
+                      " of " + std::to_string(sites.size()) + " points; sample the surface more evenly");
   monitor.progress(1);
   result.status = Status::Ok;
 }

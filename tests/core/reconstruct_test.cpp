@@ -293,10 +293,19 @@ const std::vector<std::array<double, 2>> kBottle = {{0, -1},       {0.6, -1},   
                                                     {0.19, 1.4},   {0.11, 1.4}, {0.11, 0.65}, {0.52, 0.25},
                                                     {0.52, -0.92}, {0, -0.92}};
 
-// A wall of a spacing. The second cut is right but for chance gaps, and was refused for these.
+// A wall of a spacing. The second cut is right but for chance gaps, and was refused for these. A few of
+// them stay: 7 of these ten bottles have no handle.
 TEST(Reconstruct, Regression_ChanceGapsAreNoReasonAgainstASurface) {
-  const Result result = reconstruct(test::revolved(3000, 5, kBottle));
-  expect_one_ball(result, 2997, 5);
+  int balls = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Result result = reconstruct(test::revolved(3000, seed, kBottle));
+    ASSERT_EQ(result.status, Status::Ok);
+    EXPECT_EQ(result.report.components, 1) << seed;
+    EXPECT_LE(result.report.genus, 2) << seed;
+    EXPECT_GE(result.report.interpolated, 2985) << seed;
+    balls += result.report.genus == 0;
+  }
+  EXPECT_GE(balls, 6);
 }
 
 // Walls of less than two spacings, and a mouth of five: normals fitted to neighbourhoods are of both sides
@@ -316,6 +325,70 @@ TEST(Reconstruct, Regression_ABottleWithThinWallsIsOpen) {
     right += result.report.genus == 0 && result.report.components == 1;
   }
   EXPECT_GE(right, 3);  // of the others the necks are tight for their gaps
+}
+
+// A scanned object on a table. The lid lay a fifth of the height inside, and the rim was frayed.
+TEST(Reconstruct, Regression_TheLidOfABoxWithoutABottomIsFlat) {
+  for (const double noise : {0.0, 0.0015})
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      std::vector<Point> points;
+      for (const Point& p : test::box(7000, seed, {0.4, 0.3, 0.25}))
+        if (p[2] > 0) points.push_back(p);
+      ASSERT_LT(points.size(), 6000U);
+      test::Random random(seed + 100);
+      for (Point& p : points)
+        for (double& x : p) x += noise * random.uniform(-1, 1);
+      const Result result = reconstruct(points);
+      ASSERT_EQ(result.status, Status::Ok);
+      EXPECT_EQ(result.report.genus, 0);
+      EXPECT_EQ(result.report.components, 1);
+      EXPECT_NEAR(test::signed_volume(mesh_of(result, points)) / 6, 0.03, 0.0012) << noise << " " << seed;
+      EXPECT_GE(result.report.interpolated, result.report.sites * 995 / 1000);
+    }
+}
+
+// Slices of a scan, four to twelve times as far apart as their points. Normals were those of the slices, and
+// the solid was torn into shards.
+TEST(Reconstruct, Regression_SlicesFarApartAreASolid) {
+  for (const int apart : {4, 8, 12}) {
+    const double step = 2 * M_PI / 150, height = 1.9 / std::round(1.9 / (apart * step));
+    std::vector<Point> points;
+    double volume = 0;
+    for (double z = -0.95; z < 0.951; z += height) {
+      const double radius = std::sqrt(1 - z * z);
+      const int n = static_cast<int>(2 * M_PI * radius / step);
+      for (int i = 0; i < n; ++i)
+        points.push_back({1.5 * radius * std::cos(2 * M_PI * i / n), radius * std::sin(2 * M_PI * i / n), z});
+      volume += 1.5 * M_PI * radius * radius * height;
+    }
+    const Result result = reconstruct(points);
+    ASSERT_EQ(result.status, Status::Ok);
+    EXPECT_EQ(result.report.genus, 0) << apart;
+    EXPECT_EQ(result.report.components, 1) << apart;
+    EXPECT_NEAR(test::signed_volume(mesh_of(result, points)) / 6, volume, 0.1 * volume) << apart;
+    EXPECT_GE(result.report.interpolated, result.report.sites * 95 / 100) << apart;
+  }
+}
+
+TEST(Reconstruct, Regression_AHandfulOfThePointsIsNoSurface) {
+  std::vector<Point> points;  // sections of a wing, fifty times denser along them
+  for (int section = 0; section < 15; ++section)
+    for (int i = 0; i < 80; ++i) {
+      const double angle = 2 * M_PI * i / 80;
+      points.push_back({std::cos(angle), 4.0 * section, 0.12 * std::sin(angle)});
+    }
+  const Result result = reconstruct(points);
+  const std::int64_t half = result.report.sites / 2;
+  EXPECT_TRUE(result.status == Status::NoSurface || result.report.interpolated >= half);
+  EXPECT_EQ(result.status == Status::Ok, !result.triangles.empty());
+  EXPECT_EQ(result.status == Status::Ok, result.message.empty());
+}
+
+TEST(Reconstruct, PointsThatFillAVolumeAreMeshedWithAWarning) {
+  const Result nodes = reconstruct(test::grid(10)), surface = reconstruct(test::sphere(1000, 1));
+  EXPECT_EQ(nodes.status, Status::Ok);
+  EXPECT_NE(nodes.report.warning.find("volume"), std::string::npos);
+  EXPECT_EQ(surface.report.warning, "");
 }
 
 // Noise gives a shell two skins of samples. Torn into a double wall, these shapes had a tenth of their volume
@@ -373,12 +446,13 @@ TEST(Reconstruct, Regression_OneHugeValueIsOneOutlier) {
     keep.keep_outliers = true;
     EXPECT_EQ(reconstruct(with, keep).report.outliers, 0) << huge;
   }
-  // A plane and one point far from it: nothing else encloses a volume.
+  // A plane and one point far from it: nothing else encloses a volume, and hardly a point is on what does.
   std::vector<Point> tent;
   for (int i = 0; i < 100; ++i) tent.push_back({double(i % 10), double(i / 10), 0});
   tent.push_back({5, 5, 1e6});
   const Result result = reconstruct(tent);
-  EXPECT_EQ(result.status, Status::Ok) << result.message;
+  EXPECT_EQ(result.status, Status::NoSurface);
+  EXPECT_NE(result.message.find("of 101 points"), std::string::npos) << result.message;
   EXPECT_EQ(result.report.outliers, 0);
 }
 
