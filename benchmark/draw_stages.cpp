@@ -28,6 +28,7 @@
 #include "labelling/warp.h"
 #include "points/site_set.h"
 #include "surface/feature_flips.h"
+#include "surface/surface_normals.h"
 #include "surface/surface_quality.h"
 
 namespace filmsticking {
@@ -84,12 +85,8 @@ class Stages {
     for (const char inside : dense_film(mesh_, sites_, geometry_.spacing, 2))
       guess_.push_back(inside != 0 ? 1 : -1);
     field_ = signed_field(mesh_, evidence_, geometry_, guess_);
-    hold_.resize(mesh_.size());
-    for (std::size_t t = 0; t < mesh_.size(); ++t) {
-      const auto& area = evidence_.area[t];
-      hold_[t] = 0.1 * (double{area[0]} + area[1] + area[2] + area[3]) * field_[t];
-    }
     cut_again();
+    cut_by_own_normals();
   }
 
   const std::vector<double>& guess() const { return guess_; }
@@ -191,8 +188,32 @@ class Stages {
     return missed;
   }
 
+  // Cuts again by the normals of the first surface.
+  void cut_by_own_normals() {
+    LabelCosts costs{evidence_.cost, hold_, {}};
+    for (const double spacing : geometry_.spacing) costs.off.push_back(5 * spacing * spacing);
+    std::vector<char> labels = cut_;
+    Labelling labelling(mesh_, geometry_, costs, labels);
+    repair(labelling);
+    warp(labelling, aim_);
+    unfold(labelling);
+    reach(labelling);
+    SiteGeometry own = geometry_;
+    own.normal = surface_normals(surface_of(labels), std::move(own.normal));
+    evidence_ = facet_evidence(mesh_, sites_, own);
+    std::vector<double> belief;
+    for (const char inside : labels) belief.push_back(inside != 0 ? 1 : -1);
+    field_ = signed_field(mesh_, evidence_, geometry_, std::move(belief));
+    cut_again();
+  }
+
   // The first cut, and the last of those that hold four times as firmly to the field around missed sites.
   void cut_again() {
+    hold_.resize(mesh_.size());
+    for (std::size_t t = 0; t < mesh_.size(); ++t) {
+      const auto& area = evidence_.area[t];
+      hold_[t] = 0.1 * (double{area[0]} + area[1] + area[2] + area[3]) * field_[t];
+    }
     Sculptor sculptor(mesh_, evidence_, hold_);
     std::vector<double> hold = hold_;
     cut_ = aim_ = sculptor.cut();

@@ -139,7 +139,8 @@ TEST(OpenBoundary, Regression_ASheetThatIsClosedFacesOneWay) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const auto cap = part_of_sphere(4000, seed, 0.2), bowl = part_of_sphere(4000, seed, -0.3);
     for (const auto& points : {cap, bowl})
-      EXPECT_GE(facing(reconstruct(points), points, [](const Eigen::Vector3d& p) { return p; }), 0.98) << seed;
+      EXPECT_GE(facing(reconstruct(points), points, [](const Eigen::Vector3d& p) { return p; }), 0.98)
+          << seed;
   }
   for (const char* name : {"bun0.pcd", "bun4.pcd"}) {
     const auto points = test::read_text_pcd(std::string(TEST_DATA "/") + name);

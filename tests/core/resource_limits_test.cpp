@@ -138,7 +138,9 @@ TEST(Limits, TimeFollowsTheTetrahedra) {
       const Result result = reconstruct(points, options);
       seconds[many] = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
       tetrahedra[many] = result.report.tetrahedra;
-      EXPECT_EQ(result.status, Status::Ok) << c.name << ": " << result.message;
+      // Hardly a point of two curves is on one surface.
+      EXPECT_TRUE(result.status == Status::Ok || result.status == Status::NoSurface)
+          << c.name << ": " << result.message;
       // Such a film is a way out: virtual sites would take the square.
       if (result.report.tetrahedra < 64 * result.report.sites) continue;
       for (const StepRecord& step : result.report.steps) EXPECT_EQ(step.virtual_left, 0) << c.name;

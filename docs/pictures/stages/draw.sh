@@ -26,7 +26,7 @@ snapshot points.png 400x430 "${clamp[@]}" -- points:'5,500 points'
 snapshot delaunay.png 800x500 --view=-8,25 --edges -- guess:'a section of the tetrahedra'
 snapshot evidence.png 1200x430 "${clamp[@]}" -- votes:'facets by votes' guess:'start: the film' \
   field:'signed field'
-snapshot labelling.png 1200x430 "${clamp[@]}" -- cut:'first cut' repaired:'repaired and warped' mended:'mended'
+snapshot labelling.png 1200x430 "${clamp[@]}" -- cut:'cut' repaired:'repaired and warped' mended:'mended'
 snapshot surface.png 800x430 "${clamp[@]}" -- mended:'before the flips' sharp:'after'
 
 "$bin/pcd_to_mesh" docs/pictures/stages/clamp.ply "$work/stable_clamp.ply" --stability
