@@ -27,6 +27,7 @@
 #include "labelling/unfold.h"
 #include "labelling/warp.h"
 #include "points/site_set.h"
+#include "surface/energy.h"
 #include "surface/feature_flips.h"
 #include "surface/surface_normals.h"
 #include "surface/surface_quality.h"
@@ -152,14 +153,10 @@ class Stages {
   /// The cut made a manifold and warped to its sites, then mended. In both files the faces that were not
   /// there before are blue. Returns the surface.
   Surface write_mended(const std::string& repaired, const std::string& mended) {
-    LabelCosts costs{evidence_.cost, hold_, {}};
-    for (const double spacing : geometry_.spacing) costs.off.push_back(5 * spacing * spacing);
+    const LabelCosts costs = prices();
     std::vector<char> labels = cut_;
     Labelling labelling(mesh_, geometry_, costs, labels);
-    repair(labelling);
-    warp(labelling, aim_);
-    unfold(labelling);
-    reach(labelling);
+    repair_and_warp(labelling);
     const Surface first = surface_of(labels);
     write_changes(repaired, faces_of(surface_of(cut_)), first);
     mend(labelling, sites_);
@@ -188,16 +185,26 @@ class Stages {
     return missed;
   }
 
-  // Cuts again by the normals of the first surface.
-  void cut_by_own_normals() {
+  LabelCosts prices() const {
     LabelCosts costs{evidence_.cost, hold_, {}};
-    for (const double spacing : geometry_.spacing) costs.off.push_back(5 * spacing * spacing);
-    std::vector<char> labels = cut_;
-    Labelling labelling(mesh_, geometry_, costs, labels);
+    for (const double spacing : geometry_.spacing)
+      costs.off.push_back(EnergyPrices().off * spacing * spacing);
+    return costs;
+  }
+
+  void repair_and_warp(Labelling& labelling) const {
     repair(labelling);
     warp(labelling, aim_);
     unfold(labelling);
     reach(labelling);
+  }
+
+  // Cuts again by the normals of the first surface.
+  void cut_by_own_normals() {
+    const LabelCosts costs = prices();
+    std::vector<char> labels = cut_;
+    Labelling labelling(mesh_, geometry_, costs, labels);
+    repair_and_warp(labelling);
     SiteGeometry own = geometry_;
     own.normal = surface_normals(surface_of(labels), std::move(own.normal));
     evidence_ = facet_evidence(mesh_, sites_, own);

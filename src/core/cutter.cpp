@@ -97,13 +97,18 @@ Candidate Cutter::cut(std::vector<double> belief, double conviction, bool open, 
   Labelling labelling(mesh_, geometry_, costs, labels, monitor_.cancel());
   repair(labelling, exempt(labels, open));
   warp(labelling, cuts.best);
-  unfold(labelling);
-  if (options_.insert_leftover) reach(labelling);
-  candidate.inserted = labelling.counts.reached;
-  candidate.surface = surface_of(labels, open);
+  settle(labelling, candidate);
   candidate.labels = std::move(labels);
   candidate.hold = std::move(costs.hold);
   return measured(std::move(candidate));
+}
+
+// The end of all moves. Sets the surface.
+void Cutter::settle(Labelling& labelling, Candidate& candidate) const {
+  unfold(labelling);
+  if (options_.insert_leftover) reach(labelling);
+  candidate.inserted += labelling.counts.reached;
+  candidate.surface = surface_of(labelling.labels(), candidate.open);
 }
 
 // The first cut that keeps most sites decides the topology; the cut with most sites is what the moves aim at.
@@ -203,10 +208,7 @@ Candidate Cutter::mended(Candidate candidate, Mend mend) {
   } else {
     filmsticking::mend(labelling, sites_.perturbed);
   }
-  unfold(labelling);
-  if (options_.insert_leftover) reach(labelling);
-  candidate.inserted += labelling.counts.reached;
-  candidate.surface = surface_of(candidate.labels, candidate.open);
+  settle(labelling, candidate);
   candidate.hold = std::move(costs.hold);
   return measured(std::move(candidate));
 }
@@ -214,29 +216,23 @@ Candidate Cutter::mended(Candidate candidate, Mend mend) {
 Candidate Cutter::by_film(std::vector<char> labels, const UnsetVector<std::array<float, 4>>& prices) {
   monitor_.enter("manifold", monitor_.share());
   Candidate film;
-  const LabelCosts costs{prices, std::vector<double>(mesh_.size(), 0), off_prices()};
+  LabelCosts costs{prices, std::vector<double>(mesh_.size(), 0), off_prices()};
   Labelling labelling(mesh_, geometry_, costs, labels, monitor_.cancel());
   repair(labelling);
-  unfold(labelling);
-  if (options_.insert_leftover) reach(labelling);
-  film.inserted = labelling.counts.reached;
-  film.surface = surface_of(labels, false);
+  settle(labelling, film);
   film.labels = std::move(labels);
-  film.hold = costs.hold;
+  film.hold = std::move(costs.hold);
   return measured(std::move(film));
 }
 
 Candidate Cutter::warped(Candidate candidate, const std::vector<char>& aim) {
   monitor_.enter("manifold", monitor_.share());
-  const LabelCosts costs{evidence_.cost, std::move(candidate.hold), off_prices()};
+  LabelCosts costs{evidence_.cost, std::move(candidate.hold), off_prices()};
   Labelling labelling(mesh_, geometry_, costs, candidate.labels, monitor_.cancel());
   repair(labelling, exempt(candidate.labels, candidate.open));  // takes the census
   warp(labelling, aim);
-  unfold(labelling);
-  if (options_.insert_leftover) reach(labelling);
-  candidate.inserted += labelling.counts.reached;
-  candidate.hold = costs.hold;
-  candidate.surface = surface_of(candidate.labels, candidate.open);
+  settle(labelling, candidate);
+  candidate.hold = std::move(costs.hold);
   return measured(std::move(candidate));
 }
 

@@ -19,6 +19,8 @@
 
 namespace filmsticking {
 
+class Labelling;
+
 /// A surface that is compared with others by its energy.
 struct Candidate {
   Surface surface;
@@ -98,6 +100,7 @@ class Cutter {
 
  private:
   struct Cuts;
+  void settle(Labelling& labelling, Candidate& candidate) const;
   Cuts several_cuts(const std::vector<double>& hold, bool reaches_infinity);
   std::vector<double> off_prices() const;
   std::vector<char> exempt(const std::vector<char>& labels, bool open) const;

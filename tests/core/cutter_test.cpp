@@ -8,28 +8,18 @@
 #include <vector>
 
 #include "delaunay/delaunay.h"
+#include "support/cloud_setting.h"
 #include "support/clouds.h"
 #include "support/surfaces.h"
 
 namespace filmsticking {
 namespace {
 
-struct Bench {
-  std::vector<Point> points;
-  Options options;
-  SiteSet sites;
-  SiteGeometry geometry;
-  Report report;
-  Execution execution;
-  Monitor monitor;
+struct Bench : test::CloudSetting {
   Cutter cutter;
 
   explicit Bench(std::vector<Point> cloud)
-      : points(std::move(cloud)),
-        sites(make_site_set(points)),
-        geometry(site_geometry(sites.perturbed)),
-        monitor(execution, report),
-        cutter(view_, sites, geometry, options, monitor) {
+      : CloudSetting(std::move(cloud)), cutter(view, sites, geometry, options, monitor) {
     cutter.take(delaunay_tetrahedra(sites.perturbed));
   }
 
@@ -46,9 +36,6 @@ struct Bench {
     }
     return belief;
   }
-
- private:
-  PointsView view_{points};
 };
 
 bool in_ball(const Point& p) { return p[0] * p[0] + p[1] * p[1] + p[2] * p[2] < 0.999; }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "delaunay/delaunay.h"
+#include "support/cloud_setting.h"
 #include "support/clouds.h"
 #include "support/surfaces.h"
 
@@ -16,18 +17,12 @@ namespace {
 // The candidate that the paper's method gives, and the report of it.
 std::pair<Candidate, Report> film(const std::vector<Point>& points, Options options) {
   options.method = Method::Film;
-  const SiteSet sites = make_site_set(points);
-  const SiteGeometry geometry = site_geometry(sites.perturbed);
-  Report report;
-  report.sites = static_cast<std::int64_t>(sites.size());
-  const Execution execution;
-  Monitor monitor(execution, report);
-  const PointsView view{points};
-  Cutter cutter(view, sites, geometry, options, monitor);
-  cutter.take(delaunay_tetrahedra(sites.perturbed));
-  report.tetrahedra = static_cast<std::int64_t>(cutter.mesh().size());
-  Candidate found = FilmMethod(cutter, sites, geometry, options, monitor, report).run();
-  return {std::move(found), report};
+  test::CloudSetting s(points, options);
+  Cutter cutter(s.view, s.sites, s.geometry, s.options, s.monitor);
+  cutter.take(delaunay_tetrahedra(s.sites.perturbed));
+  s.report.tetrahedra = static_cast<std::int64_t>(cutter.mesh().size());
+  Candidate found = FilmMethod(cutter, s.sites, s.geometry, s.options, s.monitor, s.report).run();
+  return {std::move(found), s.report};
 }
 
 TEST(FilmMethod, AFilmSticksToAllPoints) {

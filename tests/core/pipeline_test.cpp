@@ -11,31 +11,18 @@
 #include <vector>
 
 #include "delaunay/delaunay.h"
+#include "support/cloud_setting.h"
 #include "support/clouds.h"
 #include "support/surfaces.h"
 
 namespace filmsticking {
 namespace {
 
-struct Setting {
-  std::vector<Point> points;
-  Options options;
-  SiteSet sites;
-  SiteGeometry geometry;
-  Report report;
-  Execution execution;
-  Monitor monitor;
+struct Setting : test::CloudSetting {
   Pipeline pipeline;
 
   explicit Setting(std::vector<Point> cloud, const Options& chosen = {})
-      : points(std::move(cloud)),
-        options(chosen),
-        sites(make_site_set(points)),
-        geometry(site_geometry(sites.perturbed)),
-        monitor(execution, report),
-        pipeline(view_, sites, geometry, options, monitor, report) {
-    report.sites = static_cast<std::int64_t>(sites.size());
-  }
+      : CloudSetting(std::move(cloud), chosen), pipeline(view, sites, geometry, options, monitor, report) {}
 
   FoundSurface run() { return pipeline.run(delaunay_tetrahedra(sites.perturbed)); }
   bool entered(const std::string& stage) const {
@@ -45,9 +32,6 @@ struct Setting {
   double share_on(const Surface& surface) const {
     return static_cast<double>(surface.site.size()) / static_cast<double>(sites.size());
   }
-
- private:
-  PointsView view_{points};
 };
 
 Options open() {

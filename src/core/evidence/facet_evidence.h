@@ -28,7 +28,8 @@ struct FacetEvidence {
 };
 
 /// Most samples that a facet speaks for. A facet over an opening is far larger, and no sample lies on it: by
-/// its area it would make what is inside equal to the outside, and draw a lid in.
+/// its area it would make what is inside equal to the outside, and draw a lid in. With 1, lids are as flat,
+/// and 117 instead of 120 of 159 models have the right topology.
 constexpr double kMostSamples = 4;
 
 /// The area of facet k of t, at most that of kMostSamples samples.

@@ -16,7 +16,8 @@ constexpr std::size_t kFewest = 200;
 // Sites that are looked at, evenly from all.
 constexpr std::size_t kLookedAt = 1000;
 // Median variation (SiteGeometry). Measured: grids 0.27, random points in a ball 0.16; surfaces with noise of
-// a spacing 0.14, and at most that for 53 models and 20 scans.
+// a spacing 0.14, and at most that for 12 models, thin walls
+// among them, and 20 scans.
 constexpr double kThick = 0.15;
 // Median distance to the 96th neighbour over that to the 12th. 8^(1/2) = 2.8 on a surface, 8^(1/3) = 2 in a
 // volume.
