@@ -45,6 +45,12 @@ inline bool less(const Candidate& a, const Candidate& b) { return a.energy < b.e
 /// Weight of a belief against the facets' evidence, per area.
 constexpr double kConviction = 0.1;
 
+/// What a cut is given up for, besides a best cut that keeps fewer than half of the sites.
+struct CutLimits {
+  bool reaches_infinity = false;     ///< the inside may; no limit
+  const Candidate* rival = nullptr;  ///< it cannot become better than this
+};
+
 /// Makes candidates: it labels the Delaunay tetrahedra by minimum cuts, makes the labels a manifold, mends
 /// them, and measures their surface. All its functions throw Cancelled.
 class Cutter {
@@ -59,15 +65,14 @@ class Cutter {
   const FacetEvidence& evidence() const { return evidence_; }
 
   /// Cuts by a belief, per tetrahedron: about 1 inside, -1 outside. `conviction`: its weight. `open`: bridge
-  /// faces are removed. `reaches_infinity`: the inside may. Empty if the best cut keeps fewer than half of
-  /// the sites.
-  Candidate cut(std::vector<double> belief, double conviction, bool open, bool reaches_infinity = false);
+  /// faces are removed. Empty if the best cut keeps fewer than half of the sites, or by the limits.
+  Candidate cut(std::vector<double> belief, double conviction, bool open, const CutLimits& limits = {});
   /// Cuts by local evidence alone: the signed field from a guess.
   Candidate cut_field(std::vector<double> guess, bool open);
   /// Cuts by the ball that carves the outside and does not enter places narrower than `width` spacings.
   Candidate cut_ball(double width, double conviction, bool open);
   /// Cuts by the two sides of an open surface, which are known from the facets alone.
-  Candidate cut_sides(const RimRule& rim, const Vec3* viewpoint, bool open);
+  Candidate cut_sides(const RimRule& rim, const Vec3* viewpoint, bool open, const Candidate* rival = nullptr);
 
   /// Mends by evidence from the surface's own normals, then cuts again by it, while that lowers the energy.
   /// They are better than those of neighbourhoods, which reach across thin walls and edges. Leaves them as
@@ -101,7 +106,8 @@ class Cutter {
  private:
   struct Cuts;
   void settle(Labelling& labelling, Candidate& candidate) const;
-  Cuts several_cuts(const std::vector<double>& hold, bool reaches_infinity);
+  double least_energy(const std::vector<char>& labels, bool open) const;
+  Cuts several_cuts(const std::vector<double>& hold, const CutLimits& limits);
   std::vector<double> off_prices() const;
   std::vector<char> exempt(const std::vector<char>& labels, bool open) const;
   Surface surface_of(const std::vector<char>& labels, bool open) const;

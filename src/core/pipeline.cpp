@@ -33,7 +33,7 @@ constexpr double kNoShape = 0.3;
 // gaps.
 constexpr struct {
   double width, conviction;
-} kCarvings[] = {{2, kConviction}, {4, kConviction}, {2, 0.5}, {1.5, 0.5}};
+} kCarvings[] = {{2, kConviction}, {4, kConviction}, {1.5, 0.5}};
 
 // Candidates that are mended: so many of the least energies. Mending changes their order: it closes chance
 // gaps, but not what a bad cut tore.
@@ -117,23 +117,23 @@ std::vector<Candidate> Pipeline::starts(Candidate first) {
   };
   const bool unclear = first.missed > kUnclear;
   add(std::move(first));
-  if (unclear) add(two_sides());
   for (const auto& [width, conviction] : kCarvings) add(cutter_.cut_ball(width, conviction, open_));
+  if (unclear) add(two_sides(best.empty() ? nullptr : &best.front()));
   return best;
 }
 
 // The two sides of an open surface by the facets alone. Where neighbours on it disagree, tries the other
 // rules; the last one with the viewpoint of the best surface, if that is a scan from one side.
-Candidate Pipeline::two_sides() {
-  Candidate best = cutter_.cut_sides(kFirstRim, nullptr, open_);
+Candidate Pipeline::two_sides(const Candidate* rival) {
+  Candidate best = cutter_.cut_sides(kFirstRim, nullptr, open_, rival);
   if (!open_ || best.quality.conflict <= kLittleConflict) return best;
-  Candidate next = cutter_.cut_sides(kSecondRim, nullptr, open_);
+  Candidate next = cutter_.cut_sides(kSecondRim, nullptr, open_, rival);
   if (less(next, best)) best = std::move(next);
   if (best.quality.conflict <= kLittleConflict) return best;
   monitor_.enter("two sides", monitor_.share());
   const Vec3 viewpoint = common_viewpoint(best.surface);
   const bool one_view = !best.empty() && is_seen_once(best.surface, viewpoint, monitor_.cancel());
-  next = cutter_.cut_sides(kThirdRim, one_view ? &viewpoint : nullptr, open_);
+  next = cutter_.cut_sides(kThirdRim, one_view ? &viewpoint : nullptr, open_, rival);
   const auto price = [&](const Candidate& sides) {
     return sides.energy + (one_view ? kTurnedPrice * turned_away_share(sides.surface, viewpoint) : 0);
   };

@@ -39,7 +39,7 @@ class Pipeline {
  private:
   Candidate labelling();
   std::vector<Candidate> starts(Candidate first);
-  Candidate two_sides();
+  Candidate two_sides(const Candidate* rival);
   Candidate seen_from(const Vec3& viewpoint);
   Candidate with_view(Candidate best, const DepthImage& view);
   std::vector<char> film_from_sphere();

@@ -108,13 +108,9 @@ std::vector<Disc> discs(Mending& mending, const std::vector<Vec3>& sites, double
   for (std::size_t s = 0; s < mesh.size(); ++s)
     if (aim[s] == label && !mesh.flat[s] && narrow(labelling, static_cast<Index>(s), radius)) aim[s] = !label;
   // What a cut takes apart counts as well if it is more than a dent; but all work does.
-  for (std::int64_t last = -1; counts.tunnels > last && !labelling.spent();) {
-    last = counts.tunnels;
-    counts.visits += static_cast<std::int64_t>(mesh.size());
-    warp(labelling, aim);
-    mending.name_pieces();
-    mending.try_all(threads(labelling, aim, label), label, {kAnyPrice, 0, 0, false, kDent});
-  }
+  warp(labelling, aim);
+  mending.name_pieces();
+  mending.try_all(threads(labelling, aim, label), label, {kAnyPrice, 0, 0, false, kDent});
   std::vector<Move> moves;
   if (counts.tunnels > before.counts.tunnels && !labelling.spent()) {
     warp(labelling, before.labels);

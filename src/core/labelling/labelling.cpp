@@ -254,16 +254,39 @@ const std::vector<Index>& Labelling::sites_of(const Move& move) {
   return touched_;
 }
 
-std::vector<Census> Labelling::apply(const Move& move, std::vector<Index>* singular_sites) {
+Labelling::Made Labelling::make(const Move& move, std::vector<Index>* singular_sites) {
   cancel_();
-  for (Index t : move) flip(t);
-  std::vector<Census> before;
+  Made made;
+  Effect& e = made.effect;
+  int facets = 0;
+  for (Index t : move) {
+    e.cost += flip_cost(t);
+    for (Index u : neighbours(t)) facets += labels_[u] == labels_[t] ? 1 : -1;
+    flip(t);
+  }
+  e.euler = -facets / 2;
   for (Index v : sites_of(move)) {
-    before.push_back(census_[v]);
-    census_[v] = census_after(v, move);
+    const Census before = census_[v], now = census_after(v, move);
+    made.before.push_back(before);
+    census_[v] = now;
+    e.surplus += now.surplus() - before.surplus();
+    e.euler += now.sheets() - before.sheets();
+    const int leaves = static_cast<int>(now.off()) - static_cast<int>(before.off());
+    e.off += leaves;
+    e.cost += leaves * costs_.off[v];
     if (singular_sites != nullptr && singular(v)) singular_sites->push_back(v);
   }
-  return before;
+  return made;
+}
+
+std::vector<Census> Labelling::apply(const Move& move, std::vector<Index>* singular_sites) {
+  return make(move, singular_sites).before;
+}
+
+void Labelling::unmake(const Move& move, const std::vector<Census>& before) {
+  for (Index t : move) flip(t);
+  const std::vector<Index>& at = sites_of(move);
+  for (std::size_t i = 0; i < at.size(); ++i) census_[at[i]] = before[i];
 }
 
 Labelling::Snapshot Labelling::snapshot() const { return {labels_, exempt_, census_, counts}; }

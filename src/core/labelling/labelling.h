@@ -135,6 +135,15 @@ class Labelling {
   /// Makes a move and adds the sites that are singular then to a list. Returns the censuses of sites_of(move)
   /// before it. Throws Cancelled.
   std::vector<Census> apply(const Move& move, std::vector<Index>* singular = nullptr);
+  /// A move that was made, and what takes it back.
+  struct Made {
+    Effect effect;
+    std::vector<Census> before;
+  };
+  /// As apply(), and says what that changed: each star is searched once only. Throws Cancelled.
+  Made make(const Move& move, std::vector<Index>* singular = nullptr);
+  /// Takes back the last move that was made, without a search.
+  void unmake(const Move& move, const std::vector<Census>& before);
   /// The corners of a move's tetrahedra, sorted; valid until the next call on this object.
   const std::vector<Index>& sites_of(const Move& move);
 

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "labelling/bars.h"
-#include "labelling/caps.h"
 #include "labelling/discs.h"
 #include "labelling/mending.h"
 #include "labelling/plugs.h"
@@ -19,19 +17,12 @@ namespace {
 // Of tetrahedra outside that may be part of a plug, the narrowest first. Two sides of a thin wall have gaps
 // of up to four spacings at the same place.
 constexpr double kPlugRadii[] = {1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
-// Of facets of a cap. Wide tetrahedra have narrow facets where one side of a wall has a large gap and samples
-// of the other fill half of it.
-constexpr double kCapRadii[] = {0.5, 0.75, 1};
 // Of tetrahedra of ways between pieces.
 constexpr double kWayRadii[] = {1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
 // Of tetrahedra outside that discs may fill a tunnel with.
 constexpr double kTunnelRadii[] = {1, 1.5, 2, 3};
 // Of tetrahedra inside that may be a bridge: the inside of a wall is as narrow.
 constexpr double kBridgeRadii[] = {1, 1.5};
-// Of facets that span a mouth and do not line it, the widest first: facets between random samples of a
-// surface have up to two.
-constexpr double kBarRadii[] = {3, 2.5, 2, 1.75, 1.5, 1.25, 1};
-
 // All worths are in sites off the surface.
 // Of a tunnel filled: what a handle costs in the energy (EnergyPrices). A plug has two lids, which the votes
 // are against where the tunnel is real, and takes a wall away, which they are for then: that costs more.
@@ -49,8 +40,10 @@ constexpr double kGapWorth = 0.6;
 // weak. There is no chance bridge between smooth surfaces, and two parts may lie close to each other.
 constexpr double kBridgeWorth = 1, kBridgeWorthRough = 2, kShardWorth = 0.5, kShardWorthRough = 1.5;
 
+// There is no handle and no piece that a mend could take away.
+bool is_whole(Mending& mending) { return mending.name_pieces() <= 2 && mending.handles() == 0; }
+
 void try_plugs(Mending& mending) {
-  mending.name_pieces();
   double earlier = 0;
   for (const double radius : kPlugRadii) {
     if (mending.labelling.spent()) return;
@@ -83,10 +76,7 @@ void try_discs(Mending& mending, const std::vector<Vec3>& sites, double radius, 
 void fill_gaps(Mending& mending, const std::vector<Vec3>& sites) {
   Labelling& labelling = mending.labelling;
   try_plugs(mending);
-  for (const double radius : kCapRadii)
-    if (!labelling.spent())
-      mending.try_all(caps(labelling, sites, radius), 0, {kTunnelWorth, kTearWorth, 0, true});
-  if (mending.name_pieces() <= 2 && mending.handles() == 0) return;
+  if (is_whole(mending)) return;
   const double rough = roughness(labelling, sites);
   for (const char label : {char{0}, char{1}})
     for (const double radius : kWayRadii) try_ways(mending, sites, radius, label, rough);
@@ -94,30 +84,16 @@ void fill_gaps(Mending& mending, const std::vector<Vec3>& sites) {
   for (const double radius : kBridgeRadii) try_discs(mending, sites, radius, 1, rough);
 }
 
-void try_bars(Mending& mending, const std::vector<Vec3>& sites) {
-  if (mending.name_pieces() < 3) return;
-  for (const double radius : kBarRadii)
-    if (!mending.labelling.spent())
-      mending.try_all(bars(mending.labelling, mending.pieces, sites, radius), 1,
-                      {kTunnelWorth, kTearWorth, 0, true});
-}
-
 }  // namespace
 
 void mend(Labelling& labelling, const std::vector<Vec3>& sites) {
   Mending mending(labelling);
-  fill_gaps(mending, sites);
-  try_bars(mending, sites);
+  if (!is_whole(mending)) fill_gaps(mending, sites);
 }
 
 void mend_plugs(Labelling& labelling) {
   Mending mending(labelling);
-  try_plugs(mending);
-}
-
-void open_cavities(Labelling& labelling, const std::vector<Vec3>& sites) {
-  Mending mending(labelling);
-  try_bars(mending, sites);
+  if (!is_whole(mending)) try_plugs(mending);
 }
 
 }  // namespace filmsticking

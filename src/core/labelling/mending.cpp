@@ -2,6 +2,7 @@
 #include "labelling/mending.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "labelling/repair.h"
 
@@ -22,11 +23,13 @@ class Trial {
  public:
   Trial(Labelling& labelling, double cost) : labelling_(labelling), cost_(cost) {}
 
-  void make(const Move& move, std::vector<Index>& singular) {
-    const Effect e = labelling_.effect(move);
+  Effect make(const Move& move, std::vector<Index>& singular) {
+    Labelling::Made made = labelling_.make(move, &singular);
+    const Effect e = made.effect;
     cost_ += e.cost, euler_ += e.euler, off_ += e.off;
-    labelling_.apply(move, &singular);
     changed_.insert(changed_.end(), move.begin(), move.end());
+    moves_.push_back({move, std::move(made.before)});
+    return e;
   }
 
   // Makes the surface a manifold again. False: no move does, or as many change as no mend needs. Ends: every
@@ -78,9 +81,7 @@ class Trial {
   }
 
   void undo() {
-    for (Index t : changed_) labelling_.flip(t);
-    unique_sorted(changed_);
-    labelling_.recount(changed_);
+    for (; !moves_.empty(); moves_.pop_back()) labelling_.unmake(moves_.back().first, moves_.back().second);
   }
 
   double cost() const { return cost_; }
@@ -93,6 +94,7 @@ class Trial {
   double cost_;
   int euler_ = 0, off_ = 0;
   Move changed_;
+  std::vector<std::pair<Move, std::vector<Census>>> moves_;  // with the censuses before each
 };
 
 }  // namespace
@@ -108,14 +110,13 @@ void Mending::try_one(const Move& part, const MendTerms& terms) {
     return (terms.tunnel * handles + terms.tear * fewer) * labelling.site_cost();
   };
   const bool fills = !labelling.label(part.front());
-  const Effect alone = labelling.effect(part);
-  if (!terms.relax && alone.surplus == 0 && pieces.count_around(labelling, part) <= 2 &&
-      (alone.euler <= 0 || alone.cost >= worth(alone.euler / 2, 0)))
-    return;
+  const int pieces_before = pieces.count_around(labelling, part);
   Trial trial(labelling, terms.size * static_cast<double>(part.size()) * labelling.site_cost());
   std::vector<Index> singular;
-  trial.make(part, singular);
-  if (trial.repair(std::move(singular), 4 * part.size() + 16) &&
+  const Effect alone = trial.make(part, singular);
+  const bool in_vain = !terms.relax && alone.surplus == 0 && pieces_before <= 2 &&
+                       (alone.euler <= 0 || alone.cost >= worth(alone.euler / 2, 0));
+  if (!in_vain && trial.repair(std::move(singular), 4 * part.size() + 16) &&
       !pieces.parted(labelling, trial.changed(), 0, terms.look) &&
       !pieces.parted(labelling, trial.changed(), 1, terms.look)) {
     // Components of the surface are pieces of both labels less one; handles, components less half of the

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "labelling/two_sides.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -68,25 +70,38 @@ class Contraction {
         behind_(static_cast<Index>(mesh.size())),
         weight_(std::move(weight)),
         clusters_(mesh.size() + 1),
-        edges_(mesh.size() + 1) {
-    std::vector<std::pair<double, Index>> all;
+        links_(mesh.size() + 1) {
     for (std::size_t e = 0; e < weight_.size(); ++e)
-      if (weight_[e] != 0) all.emplace_back(std::abs(weight_[e]), -static_cast<Index>(e));
-    strongest_ = decltype(strongest_)(std::less<std::pair<double, Index>>(), std::move(all));
+      if (weight_[e] != 0) first_.emplace_back(std::abs(weight_[e]), -static_cast<Index>(e));
+    tbb::parallel_sort(first_.begin(), first_.end());
   }
 
   /// Ends: every contraction leaves one cluster less, and every entry is taken once.
   SignedClusters run(const Cancel& cancel) {
-    for (std::uint64_t turns = 0; !strongest_.empty(); ++turns) {
+    for (std::uint64_t turns = 0; !first_.empty() || !changed_.empty(); ++turns) {
       if (turns % 4096 == 0) cancel();
-      const auto [strength, minus_e] = strongest_.top();
-      strongest_.pop();
+      const auto [strength, minus_e] = strongest();
       if (std::abs(weight_[-minus_e]) == strength) contract(-minus_e);
     }
     return std::move(clusters_);
   }
 
  private:
+  using Entry = std::pair<double, Index>;  // strength, minus the edge
+  // An edge of a cluster, and the tetrahedron at its other end.
+  struct Link {
+    Index edge, far;
+  };
+
+  Entry strongest() {
+    Entry entry;
+    if (changed_.empty() || (!first_.empty() && first_.back() > changed_.top()))
+      entry = first_.back(), first_.pop_back();
+    else
+      entry = changed_.top(), changed_.pop();
+    return entry;
+  }
+
   std::pair<Index, Index> ends(Index e) const {
     if (e >= view(0)) return {behind_, e - view(0)};
     return {e / 4, mesh_.tets.neighbours[e / 4][e % 4]};
@@ -95,31 +110,36 @@ class Contraction {
   Index view(Index root) const { return 4 * behind_ + root; }
 
   // The edges of a cluster, without view(). Those of a single tetrahedron are its facets.
-  std::vector<Index>& edges(Index root) {
-    std::vector<Index>& list = edges_[root];
+  std::vector<Link>& links(Index root) {
+    std::vector<Link>& list = links_[root];
     if (list.empty())
       for (int k = 0; k < 4; ++k) {
         const Index e = std::min(4 * root + k, mesh_.mirror[root][k]);
-        if (weight_[e] != 0) list.push_back(e);
+        if (weight_[e] != 0) list.push_back({e, mesh_.tets.neighbours[root][k]});
       }
     return list;
   }
 
   // The edge between two clusters, or kNone. Drops the edges that are gone from the shorter list.
   Index between(Index a, Index c) {
-    std::vector<Index>* list = &edges(a);
-    if (edges(c).size() < list->size()) list = &edges(c), std::swap(a, c);
+    std::vector<Link>* list = &links(a);
+    Index other = c;
+    if (links(c).size() < list->size()) list = &links(c), other = a;
     Index found = kNone;
     std::size_t kept = 0;
-    for (Index e : *list) {
-      if (weight_[e] == 0) continue;
-      (*list)[kept++] = e;
-      const auto [t, u] = ends(e);
-      const Index x = clusters_.find(t).first, y = clusters_.find(u).first;
-      if ((x == a && y == c) || (x == c && y == a)) found = e;
+    for (const Link link : *list) {
+      if (weight_[link.edge] == 0) continue;
+      (*list)[kept++] = link;
+      if (clusters_.find(link.far).first == other) found = link.edge;
     }
     list->resize(kept);
     return found;
+  }
+
+  // The sign of an edge between roots: that of its weight if both had the sign of their tetrahedra at it.
+  int sign_of(Index e) {
+    const auto [t, u] = ends(e);
+    return clusters_.find(t).second * clusters_.find(u).second;
   }
 
   void contract(Index e) {
@@ -128,46 +148,42 @@ class Contraction {
     auto [b, sign_u] = clusters_.find(u);
     const int sign = (weight_[e] > 0 ? 1 : -1) * sign_t * sign_u;
     weight_[e] = 0;
-    if (b == behind_ || (a != behind_ && edges(a).size() < edges(b).size())) std::swap(a, b);
+    if (b == behind_ || (a != behind_ && links(a).size() < links(b).size())) std::swap(a, b);
     // Edges from both to a third cluster become one; the others of b become a's.
-    std::vector<Index> moved;
-    for (Index f : edges(b)) {
-      if (weight_[f] == 0) continue;
-      const auto [x, y] = ends(f);
-      const auto [root_x, sign_x] = clusters_.find(x);
-      const auto [root_y, sign_y] = clusters_.find(y);
-      const Index third = root_x == b ? root_y : root_x;
+    std::vector<Link> moved;
+    for (const Link link : links(b)) {
+      if (weight_[link.edge] == 0) continue;
+      const Index third = clusters_.find(link.far).first;
       const Index g = a == behind_ ? view(third) : between(a, third);
       if (g == kNone) {
-        moved.push_back(f);
+        moved.push_back(link);
         continue;
       }
-      const auto [p, q] = ends(g);
-      const int signs = sign_x * sign_y * sign * clusters_.find(p).second * clusters_.find(q).second;
-      add(g, signs * weight_[f]);
-      weight_[f] = 0;
+      add(g, sign * sign_of(link.edge) * sign_of(g) * weight_[link.edge]);
+      weight_[link.edge] = 0;
     }
     clusters_.join(a, b, sign);
     if (a != behind_) {
       add(view(a), sign * weight_[view(b)]);
-      edges_[a].insert(edges_[a].end(), moved.begin(), moved.end());
+      links_[a].insert(links_[a].end(), moved.begin(), moved.end());
     }
     weight_[view(b)] = 0;
-    std::vector<Index>().swap(edges_[b]);
+    std::vector<Link>().swap(links_[b]);
   }
 
   void add(Index e, double weight) {
     if (weight == 0) return;
     weight_[e] += weight;
-    if (weight_[e] != 0) strongest_.emplace(std::abs(weight_[e]), -e);
+    if (weight_[e] != 0) changed_.emplace(std::abs(weight_[e]), -e);
   }
 
   const TetrahedralMesh& mesh_;
   const Index behind_;
   std::vector<double> weight_;  // [edge]; 0: gone
   SignedClusters clusters_;
-  std::vector<std::vector<Index>> edges_;
-  std::priority_queue<std::pair<double, Index>> strongest_;
+  std::vector<std::vector<Link>> links_;
+  std::vector<Entry> first_;            // of the first weights, rising
+  std::priority_queue<Entry> changed_;  // of weights that were added to
 };
 
 // Adds edges to the side away from the viewpoint: a facet of the surface weighs for its tetrahedron behind it
