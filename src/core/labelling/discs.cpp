@@ -108,9 +108,17 @@ std::vector<Disc> discs(Mending& mending, const std::vector<Vec3>& sites, double
   for (std::size_t s = 0; s < mesh.size(); ++s)
     if (aim[s] == label && !mesh.flat[s] && narrow(labelling, static_cast<Index>(s), radius)) aim[s] = !label;
   // What a cut takes apart counts as well if it is more than a dent; but all work does.
-  warp(labelling, aim);
-  mending.name_pieces();
-  mending.try_all(threads(labelling, aim, label), label, {kAnyPrice, 0, 0, false, kDent});
+  // Cuts make new threads. Those that were tried in vain are not tried again.
+  std::vector<char> tried(mesh.size(), 0);
+  for (std::int64_t last = -1; counts.tunnels > last && !labelling.spent();) {
+    last = counts.tunnels;
+    warp(labelling, aim);
+    mending.name_pieces();
+    std::vector<Move> all = threads(labelling, aim, label);
+    all.erase(std::remove_if(all.begin(), all.end(), [&](const Move& m) { return tried[m[0]]; }), all.end());
+    for (const Move& thread : all) tried[thread[0]] = 1;
+    mending.try_all(all, label, {kAnyPrice, 0, 0, false, kDent});
+  }
   std::vector<Move> moves;
   if (counts.tunnels > before.counts.tunnels && !labelling.spent()) {
     warp(labelling, before.labels);
