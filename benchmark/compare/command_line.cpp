@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command_line.h"
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <sstream>
 
+#include "clouds/scan_kinds.h"
 #include "common/arguments.h"
 #include "input.h"
 
@@ -19,8 +21,8 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 /// The texts of the options that hold lists.
 struct Lists {
   std::vector<std::string> files, where;
-  std::string methods, points, sampling = "monte-carlo", seeds = "1", noise = "0", outliers = "0",
-                               missing = "0";
+  std::string methods, kinds, points, sampling = "monte-carlo", seeds = "1", noise = "0", outliers = "0",
+                                      missing = "0";
 };
 
 void add_clouds(Arguments& arguments, Lists& lists) {
@@ -41,6 +43,7 @@ void add_clouds(Arguments& arguments, Lists& lists) {
                    lists.noise);
   arguments.option("--outliers", "X,..", "share of the points; default 0", lists.outliers);
   arguments.option("--missing", "X,..", "share of the surface, in round patches; default 0", lists.missing);
+  arguments.option("--kinds", "K,..", "scans: default all; --help lists them", lists.kinds);
 }
 
 void add_runs(Arguments& arguments, CommandLine& command, Lists& lists) {
@@ -136,7 +139,8 @@ CommandLine::Mode mode_of(const std::string& word) {
   if (word == "speed") return CommandLine::Mode::Speed;
   if (word == "sheet") return CommandLine::Mode::Sheet;
   if (word == "sample") return CommandLine::Mode::Sample;
-  throw UsageError("\"" + word + "\" is none of quality, speed, sheet, sample; see --help");
+  if (word == "scans") return CommandLine::Mode::Scans;
+  throw UsageError("\"" + word + "\" is none of quality, speed, sheet, sample, scans; see --help");
 }
 
 void read_lists(CommandLine& command, const Lists& lists) {
@@ -149,6 +153,7 @@ void read_lists(CommandLine& command, const Lists& lists) {
   for (const std::string& file : lists.files)
     for (std::string& path : read_list(file, where)) command.inputs.push_back(std::move(path));
   command.methods = split(lists.methods);
+  command.kinds = split(lists.kinds);
   const bool speed = command.mode == CommandLine::Mode::Speed;
   const std::string sizes = !lists.points.empty() ? lists.points
                             : speed               ? "10K,50K,100K,200K,500K,1M"
@@ -168,8 +173,18 @@ void read_lists(CommandLine& command, const Lists& lists) {
     throw UsageError("--points, --seeds and --sampling need a value");
 }
 
+void check_kinds(const CommandLine& command) {
+  if (!command.inputs.empty()) throw UsageError("scans takes no inputs; --kinds chooses");
+  const std::vector<ScanKind> known = scan_kinds();
+  for (const std::string& name : command.kinds)
+    if (std::none_of(known.begin(), known.end(), [&](const ScanKind& kind) { return name == kind.name; }))
+      throw UsageError("there is no kind of scan \"" + name + "\"; see --help");
+}
+
 void check(const CommandLine& command) {
   using Mode = CommandLine::Mode;
+  if (command.mode == Mode::Scans) return check_kinds(command);
+  if (!command.kinds.empty()) throw UsageError("--kinds is for scans only");
   if (command.inputs.empty()) throw UsageError("a mesh, a cloud or a shape is needed; see --help");
   const bool one_file = command.mode == Mode::Sheet || command.mode == Mode::Sample;
   if (one_file && command.output.empty()) throw UsageError("-o FILE is needed; see --help");
@@ -190,7 +205,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   add_options(arguments, command, lists);
   if (!arguments.parse(argc, argv)) return command;
   const std::vector<std::string>& words = arguments.files();
-  if (words.empty()) throw UsageError("quality, speed, sheet or sample must come first; see --help");
+  if (words.empty()) throw UsageError("quality, speed, sheet, sample or scans must come first; see --help");
   command.mode = mode_of(words[0]);
   command.inputs.assign(words.begin() + 1, words.end());
   read_lists(command, lists);
@@ -207,6 +222,7 @@ std::string usage() {
        compare speed INPUT [options]           ours beside Delaunay and advancing front, by size
        compare sheet INPUT.. -o OUT.png        pictures: a row a cloud, a column a method
        compare sample INPUT -o CLOUD.ply       the cloud alone
+       compare scans [options]                 kinds of scans whose right answer is known
 
 An INPUT is a mesh to sample, a cloud, or one of the shapes that the README lists.
 )" + arguments.help();

@@ -14,11 +14,12 @@ namespace filmsticking::bench {
 
 /// The command line of compare.
 struct CommandLine {
-  enum class Mode { Quality, Speed, Sheet, Sample };
+  enum class Mode { Quality, Speed, Sheet, Sample, Scans };
   Mode mode = Mode::Quality;
   bool help = false;
   std::vector<std::string> inputs;
   std::vector<std::string> methods;  ///< empty: those of the mode
+  std::vector<std::string> kinds;    ///< of scans; empty: all
   std::vector<Sampling> samplings;
   std::vector<std::int64_t> points;
   std::vector<std::uint64_t> seeds;

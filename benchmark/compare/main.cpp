@@ -2,11 +2,13 @@
 // compare: FilmstickingPP and its peers on the same clouds.
 #include <cstdio>
 
+#include "clouds/scan_kinds.h"
 #include "command_line.h"
 #include "common/program.h"
 #include "programs.h"
 #include "quality.h"
 #include "sample.h"
+#include "scans.h"
 #include "sheet.h"
 #include "speed.h"
 
@@ -19,6 +21,8 @@ void help() {
   std::puts("\nMethods:");
   for (const auto& [name, entry] : find_methods())
     std::printf("  %-22s %s\n", name.c_str(), entry.description.c_str());
+  std::puts("\nKinds of scans:");
+  for (const ScanKind& kind : scan_kinds()) std::printf("  %-22s %s\n", kind.name, kind.description);
 }
 
 void run(const CommandLine& command) {
@@ -31,6 +35,8 @@ void run(const CommandLine& command) {
       return draw_sheet(command);
     case CommandLine::Mode::Sample:
       return write_sample(command);
+    case CommandLine::Mode::Scans:
+      return compare_scans(command);
   }
 }
 

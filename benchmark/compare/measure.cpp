@@ -51,6 +51,7 @@ void set_timings(Row& row, const Json& json) {
   const double taken = json.at("memory_mb").get<double>() - json.at("memory_before_mb").get<double>();
   row.set("bytes_per_point",
           std::to_string(static_cast<long long>(1e6 * taken / json.at("points").get<double>())));
+  row.set("message", cell(json.at("warning")));
   std::string stages;
   for (const auto& [stage, seconds] : json.at("rooms").items())
     stages += (stages.empty() ? "" : ";") + stage + "=" + cell(seconds);

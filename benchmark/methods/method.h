@@ -18,6 +18,7 @@ struct Outcome {
   double needs_seconds = 0;        ///< the time of what the method needs first, such as normals
   double seconds = 0;              ///< the method alone, from the array of points to the array of triangles
   std::vector<RoomSeconds> rooms;  ///< parts of `seconds`, where the method reports them
+  std::string warning;             ///< of a doubtful result; empty: none
   int steps = 0, fields = 0;       ///< of a film: its steps, and how often a field corrected it
 };
 

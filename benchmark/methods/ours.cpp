@@ -17,6 +17,7 @@ Outcome run(const std::vector<Point>& points, Options options, int threads) {
     throw std::runtime_error(result.message.empty() ? describe(result.status) : result.message);
   outcome.steps = static_cast<int>(result.report.steps.size());
   outcome.fields = result.report.rounds;
+  outcome.warning = std::move(result.report.warning);
   outcome.rooms = std::move(result.report.rooms);
   outcome.mesh.triangles = std::move(result.triangles);
   for (const std::int32_t i : result.vertices) outcome.mesh.positions.push_back(points[i]);

@@ -77,6 +77,7 @@ int run(const Method& method, const std::string& cloud_path, const std::string& 
                                        {"cpu_seconds", cpu},
                                        {"memory_mb", peak},
                                        {"memory_before_mb", memory_before},
+                                       {"warning", outcome.warning},
                                        {"rooms", stages},
                                        {"steps", outcome.steps},
                                        {"fields", outcome.fields}};

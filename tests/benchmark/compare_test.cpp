@@ -228,6 +228,24 @@ TEST(Compare, SampleWritesTheCloud) {
   EXPECT_EQ(io::size_of(io::read_cloud(folder / "a.ply").points), 1000U);
 }
 
+TEST(Compare, Scans) {
+  const ScratchFolder folder;
+  const Outcome outcome =
+      compare({"scans", "--kinds", "corners,volume", "--seeds", "1,2", "--methods", "cgal-advancing-front",
+               "--csv", folder / "out.csv", "--markdown", folder / "out.md"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<Fields> rows = read_rows(folder / "out.csv");
+  ASSERT_EQ(rows.size(), 4U);
+  for (const Fields& row : rows) {
+    EXPECT_EQ(row.at("status"), "ok") << row.at("message");
+    EXPECT_GT(number(row, "seconds"), 0);
+    EXPECT_GT(number(row, "longest_edge"), 0);
+  }
+  EXPECT_EQ(number(rows[0], "needed_used"), 8);
+  EXPECT_EQ(rows[2].at("wrong"), "no warning");  // that method knows none
+  EXPECT_NE(read_text(folder / "out.md").find("| volume | 0 of 2 |"), std::string::npos);
+}
+
 TEST(Compare, Sheet) {
   const ScratchFolder folder;
   const Outcome outcome = compare({"sheet", "sphere", TEST_DATA "/bun0.pcd", "--points", "300", "--methods",
@@ -256,7 +274,10 @@ TEST(Compare, WhatMakesNoSenseIsRefusedInASentence) {
       {"quality", "sphere", "--noise", "2"},
       {"sheet", "sphere"},
       {"sample", "sphere", "--points", "1K,2K", "-o", folder / "x.ply"},
-      {"quality", "sphere", "--where", "no equals sign"}};
+      {"quality", "sphere", "--where", "no equals sign"},
+      {"quality", "sphere", "--kinds", "tube"},
+      {"scans", "sphere"},
+      {"scans", "--kinds", "magic"}};
   for (const auto& arguments : wrong) {
     const Outcome outcome = compare(arguments);
     EXPECT_EQ(outcome.status, 2) << outcome.err;

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "filmsticking/types.h"
+
+namespace filmsticking::bench {
+
+/// A cloud as a scanner leaves it, and what is known of the surface that it came from.
+struct Scan {
+  std::vector<Point> points;  ///< in random order
+  double size = 0;            ///< the longest side of what was scanned
+
+  /// The truth, flat lids in all openings; one of the two at most.
+  std::optional<double> volume, area;
+
+  // What a right mesh has.
+  double tolerance = INFINITY;  ///< how far its volume or area may be off, as a share of the truth
+  bool closed = false;
+  bool one_piece = false;
+  bool genus_zero = false;
+  double longest_edge = INFINITY;  ///< in sizes, at most
+  double main_share = 0;           ///< of the area, in the largest component, at least
+  std::vector<Point> needed;       ///< of the points; so many of them are vertices, at least:
+  std::size_t least_needed = 0;
+
+  /// There is no surface to find: right is a warning or a refusal, whatever the mesh.
+  bool no_surface = false;
+};
+
+/// A kind of scan.
+struct ScanKind {
+  const char* name;
+  const char* description;
+};
+
+/// All kinds, in the order of the table.
+std::vector<ScanKind> scan_kinds();
+
+/// The same kind and seed give the same scan. Throws std::invalid_argument for an unknown kind.
+Scan make_scan(const std::string& kind, std::uint64_t seed);
+
+}  // namespace filmsticking::bench
