@@ -160,7 +160,6 @@ class Stages {
     const Surface first = surface_of(labels);
     write_changes(repaired, faces_of(surface_of(cut_)), first);
     mend(labelling, sites_);
-    open_cavities(labelling, sites_);
     unfold(labelling);
     reach(labelling);
     const Surface second = surface_of(labels);

@@ -13,7 +13,9 @@
 #include "delaunay/delaunay.h"
 #include "support/cloud_setting.h"
 #include "support/clouds.h"
+#include "support/field_setting.h"
 #include "support/surfaces.h"
+#include "surface/surface_quality.h"
 
 namespace filmsticking {
 namespace {
@@ -207,6 +209,15 @@ TEST(Pipeline, TheLastResortEnclosesTheLargestTetrahedron) {
   EXPECT_TRUE(test::check(around).ok());
   EXPECT_GE(around.site.size(), 4U);
   EXPECT_GT(std::abs(test::signed_volume6(around)), 0);
+}
+
+// The surface of a cavity was one of its own where the neck of a bottle, four spacings wide, was barred.
+TEST(Pipeline, Regression_AMouthIsNotBarred) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
+    Setting bottle(test::ball_with_cavity(seed, 0.6, 0.16));
+    EXPECT_EQ(surface_quality(bottle.run().surface, bottle.geometry).complexity, 1);
+  }
 }
 
 }  // namespace

@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "labelling/discs.h"
+#include "labelling/energy.h"
 #include "labelling/mending.h"
 #include "labelling/plugs.h"
 #include "labelling/roughness.h"
 #include "labelling/ways.h"
-#include "surface/energy.h"
 
 namespace filmsticking {
 namespace {
@@ -23,22 +23,7 @@ constexpr double kWayRadii[] = {1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
 constexpr double kTunnelRadii[] = {1, 1.5, 2, 3};
 // Of tetrahedra inside that may be a bridge: the inside of a wall is as narrow.
 constexpr double kBridgeRadii[] = {1, 1.5};
-// All worths are in sites off the surface.
-// Of a tunnel filled: what a handle costs in the energy (EnergyPrices). A plug has two lids, which the votes
-// are against where the tunnel is real, and takes a wall away, which they are for then: that costs more.
-constexpr double kTunnelWorth = EnergyPrices().complexity;
-// Of a piece less. Two parts may lie close to each other, so this is little: in a tear the votes are for a
-// plug, or hardly against it.
-constexpr double kTearWorth = 0.5;
-// How much less filling a tunnel is worth for each tetrahedron of a disc where the surface is smooth: chance
-// gaps are small then, those in noise are not.
-constexpr double kTunnelSize = 0.05;
-// How much more, for each unit of lining below none, as far as the surface is smooth: a sample that shows a
-// gap is two thirds of one. The more there are, the wider is the gap, and the more its disc costs.
-constexpr double kGapWorth = 0.6;
-// Of a bridge cut and of a shard joined, and how much more on a rough surface: of noise, where evidence is
-// weak. There is no chance bridge between smooth surfaces, and two parts may lie close to each other.
-constexpr double kBridgeWorth = 1, kBridgeWorthRough = 2, kShardWorth = 0.5, kShardWorthRough = 1.5;
+constexpr MovePrices kPrices;
 
 // There is no handle and no piece that a mend could take away.
 bool is_whole(Mending& mending) { return mending.name_pieces() <= 2 && mending.handles() == 0; }
@@ -47,7 +32,7 @@ void try_plugs(Mending& mending) {
   double earlier = 0;
   for (const double radius : kPlugRadii) {
     if (mending.labelling.spent()) return;
-    mending.try_all(plugs(mending.labelling, radius, earlier), 0, {kTunnelWorth, kTearWorth});
+    mending.try_all(plugs(mending.labelling, radius, earlier), 0, {kPrices.tunnel, kPrices.tear});
     earlier = radius;
   }
 }
@@ -55,7 +40,7 @@ void try_plugs(Mending& mending) {
 // Joins shards of one label to other pieces.
 void try_ways(Mending& mending, const std::vector<Vec3>& sites, double radius, char label, double rough) {
   if (mending.pieces.count() <= 2 || mending.labelling.spent()) return;
-  const MendTerms shard{0, kShardWorth + rough * kShardWorthRough, 0, true};
+  const MendTerms shard{0, kPrices.shard + rough * kPrices.shard_rough, 0, true};
   mending.try_all(ways(mending.labelling, mending.pieces, sites, radius, label), label, shard);
   mending.name_pieces();
 }
@@ -63,11 +48,11 @@ void try_ways(Mending& mending, const std::vector<Vec3>& sites, double radius, c
 // Fills tunnels (label 0) or cuts bridges (1).
 void try_discs(Mending& mending, const std::vector<Vec3>& sites, double radius, char label, double rough) {
   if (mending.handles() == 0 || mending.labelling.spent()) return;
-  const MendTerms tunnel{kTunnelWorth, 0, (1 - rough) * kTunnelSize, true},
-      bridge{kBridgeWorth + rough * kBridgeWorthRough, 0, 0, true};
+  const MendTerms tunnel{kPrices.tunnel, 0, (1 - rough) * kPrices.tunnel_size, true},
+      bridge{kPrices.bridge + rough * kPrices.bridge_rough, 0, 0, true};
   for (const Disc& disc : discs(mending, sites, radius, label)) {
     MendTerms terms = label ? bridge : tunnel;
-    if (!label) terms.tunnel += (1 - rough) * kGapWorth * std::max(0.0, -disc.lining);
+    if (!label) terms.tunnel += (1 - rough) * kPrices.gap * std::max(0.0, -disc.lining);
     mending.try_all({disc.part}, label, terms);
   }
   mending.name_pieces();

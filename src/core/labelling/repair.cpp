@@ -6,14 +6,11 @@
 #include <limits>
 #include <utility>
 
+#include "labelling/energy.h"
 #include "labelling/label_islands.h"
 
 namespace filmsticking {
 namespace {
-
-// The price of a handle more, in sites off the surface: where a site of a wall's other side pierces it, the
-// repair covers that site and does not open the wall.
-constexpr double kHandlePrice = 20;
 
 // In a larger star only whole pieces are moved: all tetrahedra one by one take the square of their number.
 constexpr std::size_t kWideStar = 400;
@@ -104,7 +101,7 @@ Move best_move(Labelling& labelling, Index v, bool erode) {
     double cost = e.cost + e.surplus * site_cost;
     if (!erode) {
       if (e.surplus >= 0) continue;
-      cost += std::max(0, -e.euler / 2) * kHandlePrice * site_cost;
+      cost += std::max(0, -e.euler / 2) * MovePrices().new_handle * site_cost;
     }
     best = std::min(best, {cost, i});
   }
