@@ -16,6 +16,7 @@
 #include "labelling/reach.h"
 #include "labelling/repair.h"
 #include "labelling/sculpt.h"
+#include "labelling/two_sides.h"
 #include "labelling/unfold.h"
 #include "labelling/warp.h"
 #include "surface/energy.h"
@@ -182,9 +183,9 @@ Candidate Cutter::cut_ball(double width, double conviction, bool open) {
   return cut(std::move(belief), conviction, open);
 }
 
-Candidate Cutter::cut_sides(const RimRule& rim, const Vec3* viewpoint, bool open, const Candidate* rival) {
+Candidate Cutter::cut_sides(const Vec3* viewpoint, bool open, const Candidate* rival) {
   monitor_.enter("two sides", monitor_.share());
-  return cut(two_sides(mesh_, sites_.perturbed, evidence_, geometry_, rim, viewpoint, monitor_.cancel()),
+  return cut(two_sides(mesh_, sites_.perturbed, evidence_, geometry_, viewpoint, monitor_.cancel()),
              kSidesConviction, open, {open, rival});
 }
 

@@ -12,7 +12,6 @@
 #include "filmsticking/options.h"
 #include "geometry/monitor.h"
 #include "geometry/surface.h"
-#include "labelling/two_sides.h"
 #include "points/site_geometry.h"
 #include "points/site_set.h"
 #include "surface/surface_quality.h"
@@ -72,7 +71,7 @@ class Cutter {
   /// Cuts by the ball that carves the outside and does not enter places narrower than `width` spacings.
   Candidate cut_ball(double width, double conviction, bool open);
   /// Cuts by the two sides of an open surface, which are known from the facets alone.
-  Candidate cut_sides(const RimRule& rim, const Vec3* viewpoint, bool open, const Candidate* rival = nullptr);
+  Candidate cut_sides(const Vec3* viewpoint, bool open, const Candidate* rival = nullptr);
 
   /// Mends by evidence from the surface's own normals, then cuts again by it, while that lowers the energy.
   /// They are better than those of neighbourhoods, which reach across thin walls and edges. Leaves them as

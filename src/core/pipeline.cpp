@@ -31,18 +31,13 @@ constexpr double kNoShape = 0.3;
 // Carvings. Width: the ball that carves the outside does not enter narrower places, in spacings. A weak
 // conviction gives up shapes whose walls are thin nearly everywhere. The last width is that of some chance
 // gaps.
-constexpr struct {
-  double width, conviction;
-} kCarvings[] = {{2, kConviction}, {4, kConviction}, {1.5, 0.5}};
+constexpr struct { double width, conviction; } kCarvings[] = {{2, kConviction}, {4, kConviction}, {1.5, 0.5}};
 
 // Candidates that are mended: so many of the least energies. Mending changes their order: it closes chance
 // gaps, but not what a bad cut tore.
 constexpr std::size_t kBest = 3;
 
-// Rules for facets at the rim of an open surface: votes, weight. Chance and noise decide which is best; where
-// neighbours disagree, the best of the three is taken.
-constexpr RimRule kFirstRim{3, 0.03}, kSecondRim{2, 0.03}, kThirdRim{3, 0.3};
-// Fraction of near sites with opposite normals. <= 0.5 %: neighbours agree; try no other rule.
+// Fraction of near sites with opposite normals. <= 0.5 %: neighbours agree; a viewpoint would change nothing.
 constexpr double kLittleConflict = 0.005;
 // Energy of an open surface that is seen from a viewpoint over that of another, up to which it is taken.
 constexpr double kSeenWorth = 1.05;
@@ -122,22 +117,19 @@ std::vector<Candidate> Pipeline::starts(Candidate first) {
   return best;
 }
 
-// The two sides of an open surface by the facets alone. Where neighbours on it disagree, tries the other
-// rules; the last one with the viewpoint of the best surface, if that is a scan from one side.
+// The two sides of an open surface by the facets alone. Where neighbours on it disagree and it is a scan from
+// one side, also by the viewpoint that it shows.
 Candidate Pipeline::two_sides(const Candidate* rival) {
-  Candidate best = cutter_.cut_sides(kFirstRim, nullptr, open_, rival);
-  if (!open_ || best.quality.conflict <= kLittleConflict) return best;
-  Candidate next = cutter_.cut_sides(kSecondRim, nullptr, open_, rival);
-  if (less(next, best)) best = std::move(next);
-  if (best.quality.conflict <= kLittleConflict) return best;
+  Candidate best = cutter_.cut_sides(nullptr, open_, rival);
+  if (!open_ || best.empty() || best.quality.conflict <= kLittleConflict) return best;
   monitor_.enter("two sides", monitor_.share());
   const Vec3 viewpoint = common_viewpoint(best.surface);
-  const bool one_view = !best.empty() && is_seen_once(best.surface, viewpoint, monitor_.cancel());
-  next = cutter_.cut_sides(kThirdRim, one_view ? &viewpoint : nullptr, open_, rival);
+  if (!is_seen_once(best.surface, viewpoint, monitor_.cancel())) return best;
+  Candidate seen = cutter_.cut_sides(&viewpoint, open_, rival);
   const auto price = [&](const Candidate& sides) {
-    return sides.energy + (one_view ? kTurnedPrice * turned_away_share(sides.surface, viewpoint) : 0);
+    return sides.energy + kTurnedPrice * turned_away_share(sides.surface, viewpoint);
   };
-  return price(next) < price(best) ? std::move(next) : std::move(best);
+  return price(seen) < price(best) ? std::move(seen) : std::move(best);
 }
 
 // Inside is what is behind a depth image. Its gaps are those of its steps in depth.

@@ -111,9 +111,8 @@ TEST(Cutter, ARimIsOpenOnlyIfItMayBe) {
   for (const Point& p : test::sphere(3000, 8))
     if (p[2] > 0.2) cap.push_back(p);
   Bench bench(cap);
-  const RimRule rule{3, 0.03};
-  EXPECT_TRUE(test::check(bench.cutter.cut_sides(rule, nullptr, false).surface).ok());
-  const Candidate open = bench.cutter.cut_sides(rule, nullptr, true);
+  EXPECT_TRUE(test::check(bench.cutter.cut_sides(nullptr, false).surface).ok());
+  const Candidate open = bench.cutter.cut_sides(nullptr, true);
   EXPECT_FALSE(test::check(open.surface).closed);
   EXPECT_TRUE(open.open);
 }

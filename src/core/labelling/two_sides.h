@@ -10,14 +10,6 @@
 
 namespace filmsticking {
 
-/// Which facets may join their two tetrahedra with full weight: those on an edge between two facets of the
-/// surface, and on no edge with a single one. At a rim the two sides of an open surface meet, and clusters of
-/// tetrahedra that grow together there would mix them.
-struct RimRule {
-  int votes;      ///< A facet with at least so many is one of the surface.
-  double weight;  ///< Of what all other facets say for joining.
-};
-
 /// [tetrahedron]: 1 inside or -1 outside, from the facets alone. The infinite tetrahedra need not be outside:
 /// an open surface has both of its sides there.
 ///
@@ -28,10 +20,14 @@ struct RimRule {
 /// "Efficient decomposition of image and mesh graphs by lifted multicuts", 2015) for two colours. Last, the
 /// colour that has more of the hull is outside.
 ///
+/// With full weight, only those facets join their tetrahedra that are on an edge between two facets of the
+/// surface, and on no edge with a single one. At a rim the two sides of an open surface meet, and clusters of
+/// tetrahedra that grow together there would mix them.
+///
 /// `viewpoint`: a point to which all of the surface shows the same side, or null. It joins clusters that
 /// little else joins. Throws Cancelled.
 std::vector<double> two_sides(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites,
-                              const FacetEvidence& evidence, const SiteGeometry& geometry, const RimRule& rim,
+                              const FacetEvidence& evidence, const SiteGeometry& geometry,
                               const Vec3* viewpoint = nullptr, const Cancel& cancel = {});
 
 }  // namespace filmsticking

@@ -14,7 +14,7 @@ namespace {
 using Setting = test::FieldSetting;
 
 std::vector<double> sides_of(const Setting& s, const Vec3* viewpoint = nullptr) {
-  return two_sides(s.mesh, s.set.perturbed, s.evidence, s.geometry, {3, 0.03}, viewpoint);
+  return two_sides(s.mesh, s.set.perturbed, s.evidence, s.geometry, viewpoint);
 }
 
 TEST(TwoSides, OfAClosedSurfaceAreItsInsideAndOutside) {
