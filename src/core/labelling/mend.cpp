@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "labelling/bars.h"
+#include "labelling/caps.h"
 #include "labelling/discs.h"
 #include "labelling/energy.h"
 #include "labelling/mending.h"
@@ -17,12 +19,18 @@ namespace {
 // Of tetrahedra outside that may be part of a plug, the narrowest first. Two sides of a thin wall have gaps
 // of up to four spacings at the same place.
 constexpr double kPlugRadii[] = {1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
+// Of facets of a cap. Wide tetrahedra have narrow facets where one side of a wall has a large gap and samples
+// of the other fill half of it.
+constexpr double kCapRadii[] = {0.5, 0.75, 1};
 // Of tetrahedra of ways between pieces.
 constexpr double kWayRadii[] = {1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4};
 // Of tetrahedra outside that discs may fill a tunnel with.
 constexpr double kTunnelRadii[] = {1, 1.5, 2, 3};
 // Of tetrahedra inside that may be a bridge: the inside of a wall is as narrow.
 constexpr double kBridgeRadii[] = {1, 1.5};
+// Of facets that span a mouth and do not line it, the widest first: facets between random samples of a
+// surface have up to two.
+constexpr double kBarRadii[] = {3, 2.5, 2, 1.75, 1.5, 1.25, 1};
 constexpr MovePrices kPrices;
 
 // There is no handle and no piece that a mend could take away.
@@ -61,6 +69,9 @@ void try_discs(Mending& mending, const std::vector<Vec3>& sites, double radius, 
 void fill_gaps(Mending& mending, const std::vector<Vec3>& sites) {
   Labelling& labelling = mending.labelling;
   try_plugs(mending);
+  for (const double radius : kCapRadii)
+    if (!labelling.spent())
+      mending.try_all(caps(labelling, sites, radius), 0, {kPrices.tunnel, kPrices.tear, 0, true});
   if (is_whole(mending)) return;
   const double rough = roughness(labelling, sites);
   for (const char label : {char{0}, char{1}})
@@ -69,11 +80,21 @@ void fill_gaps(Mending& mending, const std::vector<Vec3>& sites) {
   for (const double radius : kBridgeRadii) try_discs(mending, sites, radius, 1, rough);
 }
 
+void try_bars(Mending& mending, const std::vector<Vec3>& sites) {
+  if (mending.name_pieces() < 3) return;
+  for (const double radius : kBarRadii)
+    if (!mending.labelling.spent())
+      mending.try_all(bars(mending.labelling, mending.pieces, sites, radius), 1,
+                      {kPrices.tunnel, kPrices.tear, 0, true});
+}
+
 }  // namespace
 
 void mend(Labelling& labelling, const std::vector<Vec3>& sites) {
   Mending mending(labelling);
-  if (!is_whole(mending)) fill_gaps(mending, sites);
+  if (is_whole(mending)) return;
+  fill_gaps(mending, sites);
+  try_bars(mending, sites);
 }
 
 void mend_plugs(Labelling& labelling) {

@@ -10,11 +10,11 @@ namespace filmsticking {
 /// Mends what chance and noise broke, where that costs less than it is worth. Where samples are random, both
 /// sides of a thin wall have a gap at the same place now and then, which leaves a tunnel that no samples
 /// line. A wall thinner than the spacing may be torn all along a valley, and a thin limb across. Noise builds
-/// bridges between sides that are near.
+/// bridges between sides that are near. A mouth of a few spacings may be barred.
 ///
-/// It tries, with `sites` the corners of the tetrahedra: plugs(), ways() from shards, and discs() across
-/// tunnels and bridges. A mend is kept if it leaves fewer handles or fewer pieces, and not more of either
-/// (Mending). Needs a census.
+/// It tries, with `sites` the corners of the tetrahedra: plugs(), caps(), ways() from shards, discs() across
+/// tunnels and bridges, and last bars(). A mend is kept if it leaves fewer handles or fewer pieces, and not
+/// more of either (Mending). Needs a census.
 void mend(Labelling& labelling, const std::vector<Vec3>& sites);
 
 /// Only the plugs: about a sixth of the time of all.

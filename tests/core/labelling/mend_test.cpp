@@ -126,6 +126,27 @@ TEST(Mend, ATornWallIsJoined) {
   EXPECT_EQ(joined, torn);
 }
 
+// The surface of a cavity was one of its own where the neck of a bottle, four spacings wide, was barred.
+TEST(Mend, Regression_AMouthThatIsBarredIsOpened) {
+  constexpr double kCavity = 0.6, kTube = 0.16;
+  int barred = 0, opened = 0;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const Setting s(test::ball_with_cavity(seed, kCavity, kTube));
+    test::LabelSetting l(s, test::labels_where(s, [&](const Point& p) {
+                           const bool hole =
+                               std::hypot(p[0], p[1]) < kTube && p[2] > 0 && std::abs(p[2] - 0.8) > 0.05;
+                           return std::hypot(p[0], p[1], p[2]) > kCavity && !hole;
+                         }));
+    repair(l.labelling);
+    if (test::topology(s, l.inside).components == 1) continue;
+    mend(l.labelling, s.set.perturbed);
+    const test::Topology after = test::topology(s, l.inside);
+    ++barred, opened += after.components == 1 && after.handles == 0;
+  }
+  EXPECT_GE(barred, 5);
+  EXPECT_EQ(opened, barred);
+}
+
 // Of labels whose surface has two components, mend() leaves both.
 void expect_two_stay(const Setting& s, std::vector<char> inside) {
   test::LabelSetting l(s, std::move(inside));
