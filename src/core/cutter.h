@@ -44,9 +44,9 @@ inline bool less(const Candidate& a, const Candidate& b) { return a.energy < b.e
 /// Weight of a belief against the facets' evidence, per area.
 constexpr double kConviction = 0.1;
 
-/// What a cut is given up for, besides a best cut that keeps fewer than half of the sites.
+/// How far the inside of a cut may reach, and which candidate it must be able to beat.
 struct CutLimits {
-  bool reaches_infinity = false;     ///< the inside may; no limit
+  bool reaches_infinity = false;     ///< the inside may
   const Candidate* rival = nullptr;  ///< it cannot become better than this
 };
 

@@ -112,6 +112,7 @@ std::vector<Disc> discs(Mending& mending, const std::vector<Vec3>& sites, double
   std::vector<char> tried(mesh.size(), 0);
   for (std::int64_t last = -1; counts.tunnels > last && !labelling.spent();) {
     last = counts.tunnels;
+    counts.visits += static_cast<std::int64_t>(mesh.size());
     warp(labelling, aim);
     mending.name_pieces();
     std::vector<Move> all = threads(labelling, aim, label);

@@ -22,8 +22,7 @@ class SignedClusters {
     Index root = i;
     int sign = 1;
     for (; parent_[root].first != root; root = parent_[root].first) sign *= parent_[root].second;
-    for (int rest = sign;
-         parent_[i].first != root && i != root;) {  // the path points at the root from now on
+    for (int rest = sign; parent_[i].first != root;) {  // the path points at the root from now on
       const auto [next, own] = parent_[i];
       parent_[i] = {root, rest};
       rest *= own, i = next;
