@@ -79,6 +79,7 @@ io::Cloud read_and_filter(const Task& task, const CommandLine& command, TaskResu
   if (!command.filters.any()) return cloud;
   try {
     cloud.points = filters::filter(cloud.points, command.filters);
+    cloud.viewpoints = io::viewpoints_of(cloud.points);
   } catch (const filters::FilterError& error) {
     throw io::IoError(facts.input + ": " + error.what());
   }

@@ -14,6 +14,7 @@ namespace filmsticking::io {
 namespace {
 
 constexpr const char* kAxes[3] = {"x", "y", "z"};
+constexpr const char* kViewpointAxes[3] = {"vp_x", "vp_y", "vp_z"};
 
 /// Refuses a cloud whose fields do not lie within a point, or whose points do not lie within its bytes.
 void check_bytes(const pcl::PCLPointCloud2& cloud) {
@@ -103,6 +104,20 @@ std::vector<Colour> colours_of(const pcl::PCLPointCloud2& cloud) {
     colours[i] = {packed[2], packed[1], packed[0]};
   }
   return colours;
+}
+
+std::vector<Point> viewpoints_of(const pcl::PCLPointCloud2& cloud) {
+  check_bytes(cloud);
+  std::array<const pcl::PCLPointField*, 3> axes{};
+  for (int axis = 0; axis < 3; ++axis) {
+    axes[axis] = find_field(cloud, kViewpointAxes[axis]);
+    if (!axes[axis] || size_of(Scalar{axes[axis]->datatype}) == 0) return {};
+  }
+  std::vector<Point> places(size_of(cloud));
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      places[i][axis] = io::load(bytes_of(cloud, i) + axes[axis]->offset, Scalar{axes[axis]->datatype});
+  return places;
 }
 
 bool float_exact(const pcl::PCLPointCloud2& cloud) {

@@ -23,7 +23,8 @@ using Colour = std::array<std::uint8_t, 3>;
 /// Points with every field of their file, and the sensor's position where the file says it.
 struct Cloud {
   pcl::PCLPointCloud2 points;  ///< x, y, z are FLOAT32 or FLOAT64: the file's values, bit for bit
-  std::optional<Point> viewpoint;
+  std::optional<Point> viewpoint = std::nullopt;
+  std::vector<Point> viewpoints = {};  ///< of each point, where its sensor was; empty if unknown
 };
 
 /// Number of points: width times height.
@@ -62,6 +63,10 @@ std::vector<Point> positions_of(const pcl::PCLPointCloud2& cloud);
 
 /// Colours of all points, from the field rgb or rgba; empty if there is none.
 std::vector<Colour> colours_of(const pcl::PCLPointCloud2& cloud);
+
+/// Where the sensor of each point was, from the fields vp_x, vp_y, vp_z of any number types; empty if one is
+/// missing.
+std::vector<Point> viewpoints_of(const pcl::PCLPointCloud2& cloud);
 
 /// Whether FLOAT32 keeps the value of every coordinate. Throws IoError as PositionFields does.
 bool float_exact(const pcl::PCLPointCloud2& cloud);

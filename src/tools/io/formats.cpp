@@ -97,9 +97,11 @@ std::string detect_format(std::string_view bytes) {
 }
 
 Cloud decode_cloud(const std::string& format, std::string_view bytes) {
-  if (format == "pcd") return decode_pcd(bytes);
-  if (format == "xyz" || format == "txt") return decode_xyz(bytes);
-  return {decode_mesh(format, bytes).cloud, std::nullopt};
+  Cloud cloud = format == "pcd"                      ? decode_pcd(bytes)
+                : format == "xyz" || format == "txt" ? decode_xyz(bytes)
+                                                     : Cloud{decode_mesh(format, bytes).cloud};
+  cloud.viewpoints = viewpoints_of(cloud.points);
+  return cloud;
 }
 
 pcl::PolygonMesh decode_mesh(const std::string& format, std::string_view bytes) {
@@ -108,7 +110,7 @@ pcl::PolygonMesh decode_mesh(const std::string& format, std::string_view bytes) 
   if (format == "stl") return decode_stl(bytes);
   if (format == "vtk") return decode_vtk(bytes);
   if (format == "pcd" || format == "xyz" || format == "txt")
-    return make_mesh(decode_cloud(format, bytes).points, {});
+    return make_mesh(format == "pcd" ? decode_pcd(bytes).points : decode_xyz(bytes).points, {});
   throw IoError("there is no format '" + format + "' for points");
 }
 

@@ -624,6 +624,16 @@ TEST(Pcd, SaysWhereTheSensorWas) {
     EXPECT_FALSE(viewpoint(line)) << line;
 }
 
+TEST(Pcd, SaysWhereTheSensorOfEachPointWas) {
+  const std::string
+      header = "VERSION 0.7\nFIELDS x y z vp_x vp_y ",
+      rest =
+          "\nSIZE 4 4 4 4 4 8\nTYPE F F F F F F\nWIDTH 2\nHEIGHT 1\nDATA ascii\n1 2 3 4 5 6.1\n1 2 3 7 8 9\n";
+  EXPECT_EQ(io::decode_cloud("pcd", header + "vp_z" + rest).viewpoints,
+            (std::vector<Point>{{4, 5, 6.1}, {7, 8, 9}}));
+  EXPECT_TRUE(io::decode_cloud("pcd", header + "other" + rest).viewpoints.empty());
+}
+
 TEST(Pcd, BrokenFilesAreRefusedQuietly) {
   const ScratchFolder folder;
   const std::string fields = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n";
