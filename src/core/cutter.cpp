@@ -52,9 +52,6 @@ constexpr int kRefinements = 2;
 constexpr double kNewLid = 0.05;
 // Most that repair saves of a cut's energy: torn labels have more area. Measured: 0.42, over 275 cuts.
 constexpr double kRepairGain = 0.45;
-// Most that mending saves for each handle or component that it takes away, over their price: what was torn
-// there also had more area. Measured: 0.9 to 1.6 for thin walls.
-constexpr double kMendGain = 2;
 
 }  // namespace
 
@@ -189,7 +186,6 @@ Candidate Cutter::cut_sides(const Vec3* viewpoint, bool open, const Candidate* r
              kSidesConviction, open, {open, rival});
 }
 
-// Gaps are filled at the end: a surface with filled gaps would keep the errors beside them in the next cut.
 Candidate Cutter::refined(Candidate candidate) {
   for (int round = 0; round < kRefinements && !candidate.labels.empty(); ++round) {
     use_normals_of(candidate.surface);
@@ -197,15 +193,7 @@ Candidate Cutter::refined(Candidate candidate) {
     if (!less(next, candidate) || next.quality.bridging > candidate.quality.bridging + kNewLid) break;
     candidate = std::move(next);
   }
-  return mended(std::move(candidate));
-}
-
-bool Cutter::may_win(const Candidate& candidate, const Candidate& best) const {
-  if (candidate.empty()) return false;
-  const EnergyPrices prices;
-  const auto more = std::max<std::int64_t>(0, candidate.quality.complexity - best.quality.complexity);
-  const double saved = kMendGain * prices.off * prices.complexity * static_cast<double>(more);
-  return candidate.energy - saved / static_cast<double>(sites_.size()) < best.energy;
+  return candidate;
 }
 
 Candidate Cutter::mended(Candidate candidate, Mend mend) {

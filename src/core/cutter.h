@@ -73,14 +73,10 @@ class Cutter {
   /// Cuts by the two sides of an open surface, which are known from the facets alone.
   Candidate cut_sides(const Vec3* viewpoint, bool open, const Candidate* rival = nullptr);
 
-  /// Mends by evidence from the surface's own normals, then cuts again by it, while that lowers the energy.
-  /// They are better than those of neighbourhoods, which reach across thin walls and edges. Leaves them as
-  /// the evidence.
+  /// Cuts again by evidence from the surface's own normals, while that lowers the energy. They are better
+  /// than those of neighbourhoods, which reach across thin walls and edges. Leaves them as the evidence.
+  /// Gaps are filled later: a surface with filled gaps would keep the errors beside them in the next cut.
   Candidate refined(Candidate candidate);
-  /// May mending make a candidate better than one that is mended? It takes chance handles and components
-  /// away.
-  bool may_win(const Candidate& candidate, const Candidate& best) const;
-
   enum class Mend {
     Plugs,  ///< only plugs: quick
     All,    ///< all moves

@@ -33,9 +33,8 @@ constexpr double kNoShape = 0.3;
 // gaps.
 constexpr struct { double width, conviction; } kCarvings[] = {{2, kConviction}, {4, kConviction}, {1.5, 0.5}};
 
-// Candidates that are mended: so many of the least energies. Mending changes their order: it closes chance
-// gaps, but not what a bad cut tore.
-constexpr std::size_t kBest = 3;
+// Candidates that are refined: so many of the least energies. Three choose as two do.
+constexpr std::size_t kBest = 2;
 
 // Fraction of near sites with opposite normals. <= 0.5 %: neighbours agree; a viewpoint would change nothing.
 constexpr double kLittleConflict = 0.005;
@@ -92,13 +91,13 @@ Candidate Pipeline::labelling() {
           return seen;
     view = given_view();
   }
-  Candidate best, raw;
+  // Their energies change order once their own normals are known.
+  Candidate best;
   for (Candidate& start : starts(std::move(first))) {
-    if (!cutter_.may_win(start, best)) continue;
-    Candidate quick = cutter_.mended(start, Cutter::Mend::Plugs);
-    if (less(quick, best)) best = std::move(quick), raw = std::move(start);
+    Candidate fine = cutter_.refined(std::move(start));
+    if (best.empty() || less(fine, best)) best = std::move(fine);
   }
-  best = cutter_.refined(std::move(raw));
+  best = cutter_.mended(std::move(best));
   return view ? with_view(std::move(best), *view) : best;
 }
 

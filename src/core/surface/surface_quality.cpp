@@ -34,6 +34,7 @@ SurfaceQuality surface_quality(const Surface& surface, const SiteGeometry& geome
     quality.area += twice / 2 / sample;
     if ((a - b).norm() * (b - c).norm() * (c - a).norm() / (2 * twice) > 3 * spacing) {
       ++quality.wide_faces, wide += twice;
+      quality.roughness += kAnyNormal * std::min(twice / 2 / sample, 1.0);
     } else {
       quality.roughness += std::min(twice / 2 / sample, 1.0) * std::log1p(disagree / 3 / kUsualDeviation);
     }

@@ -21,7 +21,7 @@ struct SurfaceQuality {
   double bridging = 0;          ///< their fraction of the area
   double area = 0;              ///< in samples: of each face over the squared spacing of its corners
   /// -log-likelihood of the faces' normals, in samples: the sum of ln(1 + d / kUsualDeviation) with d as in
-  /// `disagreement`, by a face's area, at most one sample. Of wide faces no normal is known.
+  /// `disagreement`, by a face's area, at most one sample. Of a wide face no normal is known: it pays the mean, kAnyNormal.
   double roughness = 0;
   std::int64_t handles = 0;     ///< genus, summed over the components
   std::int64_t complexity = 0;  ///< components, handles and half the boundary loops
@@ -32,6 +32,9 @@ struct SurfaceQuality {
 /// beyond: edges and limbs deviate by any angle. A third and three times choose the same on noisy solids with
 /// openings.
 constexpr double kUsualDeviation = 0.01;
+
+/// What a normal of any direction costs: the mean of ln(1 + d / kUsualDeviation) over d from 0 to 1.
+constexpr double kAnyNormal = 3.66;
 
 /// `geometry`: of all sites. All vertices must be sites; the surface may be empty.
 SurfaceQuality surface_quality(const Surface& surface, const SiteGeometry& geometry);

@@ -32,6 +32,28 @@ TEST(SurfaceQuality, OfASmoothBallIsNearlyPerfect) {
   EXPECT_EQ(quality.off, 0);
 }
 
+TEST(SurfaceQuality, AWideFacePaysForTheNormalThatNobodyKnows) {
+  double mean = 0;
+  constexpr int kSteps = 100000;
+  for (int i = 0; i < kSteps; ++i) mean += std::log1p((i + 0.5) / kSteps / kUsualDeviation) / kSteps;
+  EXPECT_NEAR(kAnyNormal, mean, 0.01);
+
+  Surface part = test::ball_without([](const Vec3& p) { return p.z() < 0; });
+  const SiteGeometry geometry = geometry_of(part);
+  const SurfaceQuality before = surface_quality(part, geometry);
+  Index far[3] = {0, 0, 0};  // three sites that span the ball
+  for (Index v = 0; v < static_cast<Index>(part.positions.size()); ++v)
+    for (int k = 0; k < 3; ++k) {
+      const double a = k * 2 * M_PI / 3;
+      const Vec3 way(std::cos(a), std::sin(a), -0.2);
+      if (way.dot(part.positions[v]) > way.dot(part.positions[far[k]])) far[k] = v;
+    }
+  part.triangles.push_back({far[0], far[1], far[2]});
+  const SurfaceQuality lidded = surface_quality(part, geometry);
+  ASSERT_EQ(lidded.wide_faces, before.wide_faces + 1);
+  EXPECT_NEAR(lidded.roughness - before.roughness, kAnyNormal, 1e-9);
+}
+
 TEST(SurfaceQuality, CountsComponentsLoopsAndSitesOff) {
   const Surface ball = test::ball_without([](const Vec3& p) { return std::abs(p.z()) < 0.4; });
   const Surface caps = surface_of_sites(ball.triangles, ball.positions);  // without the vertices between
