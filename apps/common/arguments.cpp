@@ -88,6 +88,10 @@ void Arguments::flag(const std::string& name, const std::string& help, bool& var
       ->group(group_);
 }
 
+void Arguments::action(const std::string& name, const std::string& help, const std::function<void()>& act) {
+  app_->add_flag_callback(name, act, help)->group(group_);
+}
+
 void Arguments::only_flag(const std::string& name, const std::string& help, bool& given) {
   const auto stop = [&given] {
     given = true;

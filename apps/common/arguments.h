@@ -41,6 +41,9 @@ class Arguments {
   /// Sets `variable` to `value`.
   void flag(const std::string& name, const std::string& help, bool& variable, bool value = true);
 
+  /// A flag that does something.
+  void action(const std::string& name, const std::string& help, const std::function<void()>& act);
+
   /// A flag that makes parse() skip all options added after it, such as --help.
   void only_flag(const std::string& name, const std::string& help, bool& given);
 

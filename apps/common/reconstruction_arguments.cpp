@@ -8,16 +8,26 @@
 namespace filmsticking::app {
 namespace {
 
+Point parse_place(const std::string& name, const std::string& text) {
+  const std::vector<double> place = filters::parse_numbers(text);
+  if (place.size() != 3) throw UsageError(name + " takes X,Y,Z, not '" + text + "'");
+  return {place[0], place[1], place[2]};
+}
+
 void add_surface(Arguments& arguments, Options& options) {
   arguments.flag("--open",
                  "leave out the faces that no points support: the surface that was seen, with its borders",
                  options.open_boundary);
-  arguments.option("--viewpoint", "X,Y,Z",
-                   "where all points may have been seen from; the default is what a PCD file says",
+  arguments.option(
+      "--viewpoint", "X,Y,Z", "where all points may have been seen from; the default is what a PCD file says",
+      [&options](const std::string& text) { options.viewpoint = parse_place("--viewpoint", text); });
+  arguments.option("--view-direction", "X,Y,Z", "the way in which a far sensor looked at all points",
                    [&options](const std::string& text) {
-                     const std::vector<double> place = filters::parse_numbers(text);
-                     if (place.size() != 3) throw UsageError("--viewpoint takes X,Y,Z, not '" + text + "'");
-                     options.viewpoint = Point{place[0], place[1], place[2]};
+                     options.view_direction = parse_place("--view-direction", text);
+                   });
+  arguments.action("--from-above", "the same as --view-direction 0,0,-1: height fields, aerial scans",
+                   [&options] {
+                     options.view_direction = Point{0, 0, -1};
                    });
   arguments.flag("--keep-outliers", "keep points that are far from all others", options.keep_outliers);
   arguments.flag("--no-sharp-edges", "do not flip edges of the mesh onto the sharp edges of the shape",

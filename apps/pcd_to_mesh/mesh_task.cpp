@@ -109,7 +109,7 @@ pcl::PCLPointCloud2 reconstruct(io::Cloud cloud, const CommandLine& command, con
   pcl::FilmstickingPP<pcl::PointXYZ> filmsticking;
   filmsticking.useNoViewPoint();  // but for one that is given
   Options options = command.options;
-  if (!options.viewpoint) options.viewpoint = cloud.viewpoint;
+  if (!options.viewpoint) options.viewpoint = cloud.viewpoint, options.trust_viewpoint = false;
   filmsticking.setOptions(options);
   filmsticking.setProgressCallback(progress);
   filmsticking.setCancelFlag(&stop_asked);

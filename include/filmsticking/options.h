@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "export.h"
 #include "types.h"
@@ -75,11 +76,21 @@ struct Options {
   /// sensor of a depth image, else the side on which the largest component is convex.
   bool open_boundary = false;
 
-  /// Sensor position, in the unit and frame of the points. Used only if the points do not reveal it, as in
-  /// thinned or noisy depth images, and if the surface seen from it is better. In a depth image every point
-  /// is alone on its line of sight: an open result shows the front of all its faces to the viewpoint; for a
-  /// closed one, everything behind the image is inside. Ignored unless the method is Labelling.
+  /// Sensor position, in the unit and frame of the points. What lies between a point and its sensor is
+  /// outside, what lies just behind the point is inside; an open result shows its front to the sensor. Sight
+  /// that more than a tenth of its lines contradict is not used. Ignored unless the method is Labelling.
   std::optional<Point> viewpoint;
+
+  /// False: `viewpoint` is a guess, as the sensor origin of a cloud that may have been moved. It is asked
+  /// only where the points alone leave the surface unclear, and believed only if it is outside their hull.
+  bool trust_viewpoint = true;
+
+  /// Sensor position of each point, instead of `viewpoint`: as many as points; not finite: unknown.
+  std::shared_ptr<const std::vector<Point>> viewpoints;
+
+  /// The way in which a far sensor looks at all points, instead of `viewpoint`: (0, 0, -1) from above. Of any
+  /// length but zero.
+  std::optional<Point> view_direction;
 
   /// Keep outliers: points far from all others, on no surface. False: they are left out.
   bool keep_outliers = false;

@@ -73,6 +73,35 @@ void Cutter::take(Tetrahedra tetrahedra) {
   evidence_ = facet_evidence(mesh_, sites_.perturbed, geometry_);
 }
 
+void Cutter::use_sight(std::vector<float> votes) {
+  sight_ = std::move(votes);
+  known_.resize(sight_.size());
+  const EnergyPrices prices;
+  parallel_each(sight_.size(), [&](std::size_t t) {
+    double area = std::numeric_limits<double>::infinity();  // of a sample
+    for (Index v : mesh_.tets.corners[t])
+      if (v != kNone) area = std::min(area, geometry_.spacing[v] * geometry_.spacing[v]);
+    known_[t] = prices.sight * area * double{sight_[t]};
+  });
+}
+
+std::vector<double> Cutter::turn_sight_over() {
+  std::vector<double> belief(sight_.size());
+  parallel_each(sight_.size(), [&](std::size_t t) {
+    sight_[t] = -sight_[t], known_[t] = -known_[t];
+    belief[t] = sight_[t] > 0 ? 1 : -1;
+  });
+  return belief;
+}
+
+// What sight is against labels, in lines.
+double Cutter::blocked_lines(const std::vector<char>& labels) const {
+  if (sight_.empty() || labels.empty()) return 0;
+  return parallel_sum(labels.size(), [&](std::size_t t) {
+    return labels[t] ? std::max(0.0, -double{sight_[t]}) : std::max(0.0, double{sight_[t]});
+  });
+}
+
 std::vector<double> Cutter::off_prices() const {
   std::vector<double> prices(sites_.size());
   parallel_each(prices.size(), [&](std::size_t v) {
@@ -86,6 +115,7 @@ Candidate Cutter::cut(std::vector<double> belief, double conviction, bool open, 
   parallel_each(belief.size(), [&](std::size_t t) {  // what a label against the belief costs
     const auto& area = evidence_.area[t];
     belief[t] *= conviction * (double{area[0]} + area[1] + area[2] + area[3]);
+    if (!known_.empty()) belief[t] += known_[t];
   });
   LabelCosts costs{evidence_.cost, std::move(belief), off_prices()};
   Candidate candidate;
@@ -166,8 +196,8 @@ Cutter::Cuts Cutter::several_cuts(const std::vector<double>& hold, const CutLimi
 
 Candidate Cutter::cut_field(std::vector<double> guess, bool open) {
   monitor_.enter("signed field", monitor_.share());
-  return cut(signed_field(mesh_, evidence_, geometry_, std::move(guess), monitor_.cancel()), kConviction,
-             open);
+  return cut(signed_field(mesh_, evidence_, geometry_, std::move(guess), known_, monitor_.cancel()),
+             kConviction, open);
 }
 
 // The belief: 1, surely inside, from 1 / kInsideSlope spacings below the width; -1, surely outside, from
@@ -253,7 +283,9 @@ Surface Cutter::surface_of(const std::vector<char>& labels, bool open) const {
 
 Candidate Cutter::measured(Candidate candidate) const {
   candidate.quality = surface_quality(candidate.surface, geometry_);
-  candidate.energy = surface_energy(candidate.quality, candidate.inserted, sites_.size());
+  candidate.energy =
+      surface_energy(candidate.quality, candidate.inserted, sites_.size()) +
+      EnergyPrices().sight * blocked_lines(candidate.labels) / static_cast<double>(sites_.size());
   return candidate;
 }
 

@@ -60,6 +60,10 @@ class Cutter {
 
   /// Before anything else: the Delaunay triangulation of the perturbed sites.
   void take(Tetrahedra tetrahedra);
+  /// What is known of tetrahedra by sight, from now on a term of every cut and of the energy.
+  void use_sight(std::vector<float> votes);
+  /// What sight takes for outside is inside from now on: that of a room. Returns the belief by sight alone.
+  std::vector<double> turn_sight_over();
   const TetrahedralMesh& mesh() const { return mesh_; }
   const FacetEvidence& evidence() const { return evidence_; }
 
@@ -77,6 +81,7 @@ class Cutter {
   /// than those of neighbourhoods, which reach across thin walls and edges. Leaves them as the evidence.
   /// Gaps are filled later: a surface with filled gaps would keep the errors beside them in the next cut.
   Candidate refined(Candidate candidate);
+
   enum class Mend {
     Plugs,  ///< only plugs: quick
     All,    ///< all moves
@@ -104,6 +109,7 @@ class Cutter {
   double least_energy(const std::vector<char>& labels, bool open) const;
   Cuts several_cuts(const std::vector<double>& hold, const CutLimits& limits);
   std::vector<double> off_prices() const;
+  double blocked_lines(const std::vector<char>& labels) const;
   std::vector<char> exempt(const std::vector<char>& labels, bool open) const;
   Surface surface_of(const std::vector<char>& labels, bool open) const;
 
@@ -115,6 +121,9 @@ class Cutter {
   TetrahedralMesh mesh_;
   // By the normals of neighbourhoods at first.
   FacetEvidence evidence_;
+  // Sight: in lines, and as areas. Both empty if nothing is known.
+  std::vector<float> sight_;
+  std::vector<double> known_;
 };
 
 /// 1 for inside and -1 for outside.

@@ -5,12 +5,14 @@
 #include <functional>
 #include <utility>
 
+#include "evidence/sight.h"
 #include "film/dense_film.h"
 #include "film/film_step.h"
 #include "film/initial_surface.h"
 #include "film/stability.h"
 #include "film_method.h"
 #include "geometry/parallel.h"
+#include "points/site_viewpoints.h"
 #include "show_step.h"
 #include "surface/viewpoint.h"
 
@@ -25,9 +27,6 @@ constexpr double kFilmWidth = 2;
 constexpr double kClear = 0.01;
 // > 10 %: there may be no inside; the points may be an open surface.
 constexpr double kUnclear = 0.1;
-// Of the cut by a depth image. > 30 %: the points are none.
-constexpr double kNoShape = 0.3;
-
 // Carvings. Width: the ball that carves the outside does not enter narrower places, in spacings. A weak
 // conviction gives up shapes whose walls are thin nearly everywhere. The last width is that of some chance
 // gaps.
@@ -36,10 +35,15 @@ constexpr struct { double width, conviction; } kCarvings[] = {{2, kConviction}, 
 // Candidates that are refined: so many of the least energies. Three choose as two do.
 constexpr std::size_t kBest = 2;
 
+// Fraction of lines of sight that leave the hull, below which the sensors are inside.
+constexpr double kFewLeave = 0.1;
+// Distance of the farthest single sensor, in box sides: as far as infinity for a depth image.
+constexpr double kFarSensor = 50;
+// Fraction of blocked lines of sight above which the sensors were elsewhere.
+constexpr double kWrongSight = 0.1;
+
 // Fraction of near sites with opposite normals. <= 0.5 %: neighbours agree; a viewpoint would change nothing.
 constexpr double kLittleConflict = 0.005;
-// Energy of an open surface that is seen from a viewpoint over that of another, up to which it is taken.
-constexpr double kSeenWorth = 1.05;
 // Price per fraction of area that faces away from the viewpoint.
 constexpr double kTurnedPrice = 0.5;
 
@@ -54,7 +58,8 @@ Pipeline::Pipeline(const PointsView& points, const SiteSet& sites, const SiteGeo
       monitor_(monitor),
       report_(report),
       cutter_(points, sites, geometry, options, monitor),
-      open_(options.open_boundary) {}
+      open_(options.open_boundary),
+      guessed_(!options.trust_viewpoint && !options.viewpoints && !options.view_direction) {}
 
 FoundSurface Pipeline::run(Tetrahedra tetrahedra) {
   report_.tetrahedra = static_cast<std::int64_t>(tetrahedra.size());
@@ -72,25 +77,34 @@ FoundSurface Pipeline::run(Tetrahedra tetrahedra) {
     monitor_.enter("stability", monitor_.share());
     stability = site_stability(cutter_.mesh(), sites_.perturbed, best.labels);
   }
-  return {std::move(best.surface), best.viewpoint, std::move(stability)};
+  return {std::move(best.surface), best.viewpoint, std::move(viewpoints_), std::move(stability)};
+}
+
+// Sight that many lines contradict is no sight: the sensors were elsewhere.
+bool Pipeline::look(std::vector<Vec3> from) {
+  if (from.empty()) return false;
+  monitor_.enter("sight", monitor_.share());
+  Sight sight = lines_of_sight(cutter_.mesh(), sites_.perturbed, geometry_, cutter_.evidence(), from,
+                               monitor_.cancel());
+  if (static_cast<double>(sight.blocked) > kWrongSight * static_cast<double>(sight.lines)) return false;
+  const bool inside = static_cast<double>(sight.leaving) < kFewLeave * static_cast<double>(sight.lines);
+  if (inside && guessed_) return false;
+  cutter_.use_sight(std::move(sight.votes));
+  viewpoints_ = std::move(from);
+  inside_ = inside;
+  return true;
 }
 
 // Most clouds are clear: the first cut, by the field that starts from the film, misses hardly a site.
 Candidate Pipeline::labelling() {
-  std::vector<double> guess = belief_of(film_from_sphere());
-  Candidate first = cutter_.cut_field(std::move(guess), open_);
+  if (!guessed_) look(site_viewpoints(sites_, options_));
+  const std::vector<char> film = film_from_sphere();
+  Candidate first = cutter_.cut_field(belief_of(film), open_);
   if (first.missed <= kClear && !first.empty())
     // With a handle or a second component it may have walls, if no thin ones.
     return first.quality.complexity > 1 ? cutter_.mended(std::move(first), Cutter::Mend::Plugs) : first;
 
-  std::optional<DepthImage> view;
-  if (first.missed > kUnclear) {
-    if (!open_)
-      if (const auto image = image_of(sites_.perturbed))
-        if (Candidate seen = seen_from(image->viewpoint); !seen.empty() && seen.missed <= kNoShape)
-          return seen;
-    view = given_view();
-  }
+  if (first.missed > kUnclear && viewpoints_.empty()) first = or_seen(std::move(first), belief_of(film));
   // Their energies change order once their own normals are known.
   Candidate best;
   for (Candidate& start : starts(std::move(first))) {
@@ -98,7 +112,28 @@ Candidate Pipeline::labelling() {
     if (best.empty() || less(fine, best)) best = std::move(fine);
   }
   best = cutter_.mended(std::move(best));
-  return view ? with_view(std::move(best), *view) : best;
+  if (inside_) best = or_room(std::move(best));
+  return best;
+}
+
+// A depth image shows its viewpoint by its raster; any other cloud may have been seen from where a guess
+// says. Either is believed if the cut by it becomes clearer.
+Candidate Pipeline::or_seen(Candidate first, std::vector<double> guess) {
+  std::optional<DepthImage> image;
+  if (!open_) image = image_of(sites_.perturbed);
+  if (!look(image ? std::vector<Vec3>(sites_.size(), image->viewpoint) : site_viewpoints(sites_, options_)))
+    return first;
+  Candidate seen = cutter_.cut_field(std::move(guess), open_);
+  if (!seen.empty() && seen.missed <= kUnclear && less(seen, first)) return seen;
+  cutter_.use_sight({});
+  viewpoints_.clear();
+  return first;
+}
+
+// Sensors that are inside the hull may be in a room: its air is the inside then, its walls are no shells.
+Candidate Pipeline::or_room(Candidate best) {
+  Candidate room = cutter_.mended(cutter_.refined(cutter_.cut_field(cutter_.turn_sight_over(), open_)));
+  return less(room, best) ? std::move(room) : std::move(best);
 }
 
 // The best of all beliefs, the least energy first.
@@ -131,27 +166,6 @@ Candidate Pipeline::two_sides(const Candidate* rival) {
   return price(seen) < price(best) ? std::move(seen) : std::move(best);
 }
 
-// Inside is what is behind a depth image. Its gaps are those of its steps in depth.
-Candidate Pipeline::seen_from(const Vec3& viewpoint) {
-  std::vector<double> sides =
-      depth_image_sides(cutter_.mesh(), sites_.perturbed, viewpoint, monitor_.cancel());
-  return cutter_.mended(cutter_.cut(std::move(sides), kConviction, open_), Cutter::Mend::Plugs);
-}
-
-// The better of a surface and of what a depth image shows. An open one knows which side is seen: it may cost
-// a little more.
-Candidate Pipeline::with_view(Candidate best, const DepthImage& view) {
-  Candidate seen;
-  if (open_) {
-    seen.surface = view.surface;
-    seen.viewpoint = view.viewpoint;
-    seen = cutter_.measured(std::move(seen));
-  } else {
-    seen = seen_from(view.viewpoint);
-  }
-  return seen.energy < (open_ ? kSeenWorth : 1) * best.energy ? std::move(seen) : std::move(best);
-}
-
 // With dense virtual sites. Its steps are recorded where the caller watches them; else they are not made one
 // by one.
 std::vector<char> Pipeline::film_from_sphere() {
@@ -179,9 +193,15 @@ std::vector<Vec3> Pipeline::exact_places() const {
   return places;
 }
 
+// One sensor of all points, not farther than depth images may be seen from.
 std::optional<Vec3> Pipeline::given_viewpoint() const {
-  if (!options_.viewpoint) return {};
-  return sites_.to_unit(*options_.viewpoint);
+  const std::vector<Vec3> from = site_viewpoints(sites_, options_);
+  if (from.empty()) return {};
+  if (options_.view_direction) return kFarSensor * (from[0] - sites_.perturbed[0]).normalized();
+  if (!from[0].allFinite() ||
+      std::any_of(from.begin(), from.end(), [&](const Vec3& p) { return p != from[0]; }))
+    return {};
+  return from[0].norm() > kFarSensor ? kFarSensor * from[0].normalized() : from[0];
 }
 
 std::optional<DepthImage> Pipeline::image_of(const std::vector<Vec3>& places) {
@@ -192,16 +212,7 @@ std::optional<DepthImage> Pipeline::image_of(const std::vector<Vec3>& places) {
 std::optional<FoundSurface> Pipeline::visible_surface() {
   std::optional<DepthImage> image = image_of(exact_places());
   if (!image) return {};
-  return FoundSurface{std::move(image->surface), image->viewpoint, {}};
-}
-
-// All sites, seen from the viewpoint that the caller gives; nothing if they cannot be. For depth images that
-// are thinned or rough, which do not look like one by their pixels.
-std::optional<DepthImage> Pipeline::given_view() {
-  const std::optional<Vec3> viewpoint = given_viewpoint();
-  if (!viewpoint) return {};
-  monitor_.enter("depth image", monitor_.share());
-  return image_from(exact_places(), *viewpoint, geometry_, monitor_.cancel());
+  return FoundSurface{std::move(image->surface), image->viewpoint, {}, {}};
 }
 
 Surface Pipeline::around_one_tetrahedron() {

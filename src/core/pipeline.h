@@ -13,6 +13,7 @@ namespace filmsticking {
 struct FoundSurface {
   Surface surface;
   std::optional<Vec3> viewpoint;  ///< of a depth image: the point to which all of its faces show their front
+  std::vector<Vec3> viewpoints;   ///< [site] where its sensor was; empty if unknown or contradicted
   std::vector<float> stability;   ///< site_stability(); empty for a surface that is not of tetrahedra
 };
 
@@ -37,17 +38,17 @@ class Pipeline {
   Surface around_one_tetrahedron();
 
  private:
+  bool look(std::vector<Vec3> from);
   Candidate labelling();
   std::vector<Candidate> starts(Candidate first);
+  Candidate or_seen(Candidate first, std::vector<double> guess);
+  Candidate or_room(Candidate best);
   Candidate two_sides(const Candidate* rival);
-  Candidate seen_from(const Vec3& viewpoint);
-  Candidate with_view(Candidate best, const DepthImage& view);
   std::vector<char> film_from_sphere();
 
   std::vector<Vec3> exact_places() const;
   std::optional<Vec3> given_viewpoint() const;
   std::optional<DepthImage> image_of(const std::vector<Vec3>& places);
-  std::optional<DepthImage> given_view();
 
   const PointsView& points_;
   const SiteSet& sites_;
@@ -56,7 +57,10 @@ class Pipeline {
   Monitor& monitor_;
   Report& report_;
   Cutter cutter_;
-  const bool open_;  // Options::open_boundary
+  std::vector<Vec3> viewpoints_;  // of the sites, where sight is used
+  bool inside_ = false;           // the sensors are inside the hull
+  const bool open_;               // Options::open_boundary
+  const bool guessed_;            // the viewpoint is a guess
 };
 
 }  // namespace filmsticking

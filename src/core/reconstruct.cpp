@@ -54,7 +54,7 @@ Tetrahedra triangulation_of(const SiteSet& sites, const TriangulationLimits& lim
 void run(const PointsView& points, const Options& options, const Execution& execution, Result& result) {
   Report& report = result.report;
   report.points = static_cast<std::int64_t>(points.size());
-  check_options(options);
+  check_options(options, points.size());
   check_memory_for_points(report, options);
   Monitor monitor(execution, report);
 
@@ -78,7 +78,8 @@ void run(const PointsView& points, const Options& options, const Execution& exec
   }
 
   const FinishOptions finish_options{options.open_boundary, options.sharp_edges,
-                                     found->viewpoint ? &*found->viewpoint : nullptr};
+                                     found->viewpoint ? &*found->viewpoint : nullptr,
+                                     found->viewpoints.empty() ? nullptr : &found->viewpoints};
   FinishedSurface finished =
       finish(std::move(found->surface), points, sites, geometry, finish_options, monitor);
   // Few points, mostly on a plane: a closed surface may be flatter than the perturbation.

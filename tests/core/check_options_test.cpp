@@ -15,7 +15,7 @@ namespace {
 
 Status status_of(const Options& options) {
   try {
-    check_options(options);
+    check_options(options, 0);
   } catch (const Failure& failure) {
     EXPECT_FALSE(failure.message.empty());
     return failure.status;

@@ -211,9 +211,15 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
    */
   void setViewPoint(float vpx, float vpy, float vpz) { options_.viewpoint = {vpx, vpy, vpz}; }
 
+  /** \brief Set the way in which a far sensor looks at all points: (0, 0, -1) from above, as for height
+   * fields. Instead of a viewpoint.
+   */
+  void setViewDirection(float x, float y, float z) { options_.view_direction = {x, y, z}; }
+
   /** \brief Use no viewpoint: nothing is known of the sensor. */
   void useNoViewPoint() {
     options_.viewpoint.reset();
+    options_.view_direction.reset();
     try_sensor_origin_ = false;
   }
 

@@ -60,11 +60,6 @@ constexpr double kSteps = 0.5, kRough = 0.17;
 constexpr double kHardlyOff = 0.003, kBetween = 0.05;
 // Least height of a triangle in the image, over its longest edge, for its front to count as visible.
 constexpr double kFront = 0.01;
-// Least volume behind the surface, over the volume before it, within the convex hull. Less: a bowl, seen from
-// within.
-constexpr double kBehind = 0.25;
-// Most faces that a walk through the image crosses: more than from side to side of a camera's image.
-constexpr int kLongestWalk = 10000;
 // A flip shortens the edge by more than rounding, so that flips end.
 constexpr double kShorter = 1 - 1e-9;
 
@@ -231,8 +226,7 @@ std::vector<float> wider_gaps(const Surface& surface, const std::vector<Point2>&
   return gaps;
 }
 
-}  // namespace
-
+// The image if all places are visible from `viewpoint`, evenly spaced or not.
 std::optional<DepthImage> image_from(const std::vector<Vec3>& places, const Vec3& viewpoint,
                                      const SiteGeometry& geometry, const Cancel& cancel) {
   if (!(viewpoint.norm() < kFarthest) || !within(kWidest, directions(places, viewpoint))) return {};
@@ -246,10 +240,15 @@ std::optional<DepthImage> image_from(const std::vector<Vec3>& places, const Vec3
   return image;
 }
 
+}  // namespace
+
 std::optional<DepthImage> depth_image(const std::vector<Vec3>& places, const SiteGeometry& geometry,
                                       const std::optional<Vec3>& guess, const Cancel& cancel) {
+  // Rows that meet at the guess leave open which side is the front, as those of a far sensor do: it says
+  // that.
   const std::optional<Vec3> found = raster_viewpoint(places, geometry);
-  for (const std::optional<Vec3>& viewpoint : {found, guess}) {
+  const bool first = guess && found && raster_viewpoint(places, geometry, guess) == guess;
+  for (const std::optional<Vec3>& viewpoint : {first ? guess : found, first ? found : guess}) {
     if (!viewpoint) continue;
     std::optional<DepthImage> image = image_from(places, *viewpoint, geometry, cancel);
     if (!image) continue;
@@ -263,51 +262,6 @@ std::optional<DepthImage> depth_image(const std::vector<Vec3>& places, const Sit
       return image;
   }
   return {};
-}
-
-std::vector<double> depth_image_sides(const TetrahedralMesh& mesh, const std::vector<Vec3>& places,
-                                      const Vec3& viewpoint, const Cancel& cancel) {
-  const Surface surface = image_surface(places, viewpoint, flat_image(places, viewpoint), cancel);
-  const std::vector<Index> twin =
-      half_edge_twins(surface.triangles, static_cast<Index>(surface.positions.size()));
-  std::vector<Index> face_of(places.size(), kNone);  // a face at each site on the surface
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for (const Index v : surface.triangles[t]) face_of[surface.site[v]] = static_cast<Index>(t);
-  std::vector<double> side(mesh.size(), -1);
-  parallel_each(side.size(), [&](std::size_t t) {
-    if (mesh.tets.infinite(static_cast<Index>(t))) return;
-    Vec3 middle = Vec3::Zero();
-    Index face = kNone;
-    for (const Index i : mesh.tets.corners[t]) {
-      middle += places[i] / 4;
-      if (face == kNone) face = face_of[i];
-    }
-    if (face == kNone) return;
-    // A visibility walk from a face near the tetrahedron. In a Delaunay triangulation it ends, at the latest
-    // at the rim. kLongestWalk bounds it, should rounding let it cycle.
-    for (int steps = 0, turned = 1; turned != 0 && steps < kLongestWalk; ++steps) {
-      turned = 0;
-      for (int k = 0; k < 3 && turned == 0; ++k) {
-        const Vec3 a = surface.corner(face, k) - viewpoint, b = surface.corner(face, (k + 1) % 3) - viewpoint;
-        const Index next = twin[3 * face + k];
-        if (a.cross(b).dot(middle - viewpoint) > 0 && next != kNone) face = next / 3, turned = 1;
-      }
-    }
-    side[t] = surface.area_vector2(face).dot(middle - surface.corner(face, 0)) > 0 ? -1 : 1;
-  });
-  const auto volume = [&](double of) {
-    return parallel_sum(side.size(), [&](std::size_t t) {
-      if (side[t] != of || mesh.tets.infinite(static_cast<Index>(t))) return 0.0;
-      const auto& c = mesh.tets.corners[t];
-      const Vec3 &a = places[c[0]], &b = places[c[1]], &d = places[c[2]], &e = places[c[3]];
-      return std::abs((b - a).cross(d - a).dot(e - a));
-    });
-  };
-  if (volume(1) >= kBehind * volume(-1)) return side;
-  parallel_each(side.size(), [&](std::size_t t) {
-    if (!mesh.tets.infinite(static_cast<Index>(t))) side[t] = -side[t];
-  });
-  return side;
 }
 
 Surface depth_image_surface(const std::vector<Vec3>& places, const Vec3& viewpoint,

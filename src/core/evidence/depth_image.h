@@ -30,12 +30,6 @@ struct DepthImage {
 std::optional<DepthImage> depth_image(const std::vector<Vec3>& places, const SiteGeometry& geometry,
                                       const std::optional<Vec3>& guess, const Cancel& cancel = {});
 
-/// The depth image if all places are visible from `viewpoint`, evenly spaced or not: to one side of it, on a
-/// surface that misses hardly one. Nothing if they are not. Two surfaces close behind each other may pass as
-/// well; the caller needs further evidence.
-std::optional<DepthImage> image_from(const std::vector<Vec3>& places, const Vec3& viewpoint,
-                                     const SiteGeometry& geometry, const Cancel& cancel = {});
-
 /// The surface of a depth image: the Delaunay triangulation of its pixels. An edge is flipped if the other
 /// diagonal is shorter in space. Faces that no data supports, in space or in the image, are removed
 /// (remove_bridges()).
@@ -45,10 +39,5 @@ std::optional<DepthImage> image_from(const std::vector<Vec3>& places, const Vec3
 /// Ends: flips reduce the sum of edge lengths.
 Surface depth_image_surface(const std::vector<Vec3>& places, const Vec3& viewpoint,
                             const SiteGeometry& geometry, const Cancel& cancel = {});
-
-/// The side of the image on which each tetrahedron's centroid lies: 1 behind the image, -1 before it and at
-/// infinity. If hardly any volume is behind the image, it is a bowl seen from within, and the signs swap.
-std::vector<double> depth_image_sides(const TetrahedralMesh& mesh, const std::vector<Vec3>& places,
-                                      const Vec3& viewpoint, const Cancel& cancel = {});
 
 }  // namespace filmsticking

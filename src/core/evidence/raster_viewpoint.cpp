@@ -80,11 +80,18 @@ Vec3 meeting_point(const std::vector<RowPlane>& planes, const Vec3& x, double sl
   return matrix.ldlt().solve(right + held * x);
 }
 
-std::optional<Vec3> common_point(const std::vector<RowPlane>& planes) {
+bool meet_at(const std::vector<RowPlane>& planes, const Vec3& x, double weight) {
+  double missed = 0;
+  for (const RowPlane& plane : planes) missed += plane.weight * std::min(1.0, miss(plane, x) / kMiss);
+  return missed <= kMeet * weight;
+}
+
+std::optional<Vec3> common_point(const std::vector<RowPlane>& planes, const std::optional<Vec3>& guess) {
   double weight = 0;
   Vec3 x = Vec3::Zero();
   for (const RowPlane& plane : planes) weight += plane.weight;
   if (!(weight > kSomeBend * static_cast<double>(planes.size()))) return {};
+  if (guess && meet_at(planes, *guess, weight)) return guess;
   for (const RowPlane& plane : planes) x += plane.weight / weight * plane.place;
   for (int i = 0; i < kIterations; ++i) {
     const double slack = kFirstSlack * std::pow(kLastSlack / kFirstSlack, i / (kIterations - 1.0));
@@ -92,18 +99,17 @@ std::optional<Vec3> common_point(const std::vector<RowPlane>& planes) {
     if (!next.allFinite() || next.norm() > kFarthest) return {};
     x = next;
   }
-  double missed = 0;
-  for (const RowPlane& plane : planes) missed += plane.weight * std::min(1.0, miss(plane, x) / kMiss);
-  if (missed > kMeet * weight) return {};
+  if (!meet_at(planes, x, weight)) return {};
   return x;
 }
 
 }  // namespace
 
-std::optional<Vec3> raster_viewpoint(const std::vector<Vec3>& places, const SiteGeometry& geometry) {
+std::optional<Vec3> raster_viewpoint(const std::vector<Vec3>& places, const SiteGeometry& geometry,
+                                     const std::optional<Vec3>& guess) {
   const PointTree tree(places);
   for (const double opposite : kOpposite)
-    if (const auto found = common_point(row_planes(places, tree, geometry, opposite))) return found;
+    if (const auto found = common_point(row_planes(places, tree, geometry, opposite), guess)) return found;
   return {};
 }
 

@@ -14,6 +14,8 @@ namespace filmsticking {
 ///
 /// May be wrong for points that happen to lie like pixels; depth_image() verifies it. Nothing if the
 /// viewpoint is more than 30 box sides away: the planes do not determine it. `places`: in a box of side 1.
-std::optional<Vec3> raster_viewpoint(const std::vector<Vec3>& places, const SiteGeometry& geometry);
+/// `guess`: is returned if the planes meet there too, as those of a far sensor meet along a line.
+std::optional<Vec3> raster_viewpoint(const std::vector<Vec3>& places, const SiteGeometry& geometry,
+                                     const std::optional<Vec3>& guess = {});
 
 }  // namespace filmsticking

@@ -25,10 +25,11 @@ constexpr double kDiagonal = 1e-9;
 class FieldSystem {
  public:
   FieldSystem(const TetrahedralMesh& mesh, const FacetEvidence& evidence, const SiteGeometry& geometry,
-              std::vector<double> guess)
+              std::vector<double> guess, const std::vector<double>& known)
       : mesh_(mesh),
         evidence_(evidence),
         geometry_(geometry),
+        known_(known),
         size_(mesh.size()),
         unit_(one_over_mean_area()),
         field_(std::move(guess)),
@@ -77,12 +78,14 @@ class FieldSystem {
     return kVoteCoupling[evidence_.votes[t][k]] * sampled_area(mesh_, evidence_, geometry_, t, k) * unit_;
   }
 
+  double pull(std::size_t t) const { return known_.empty() ? 0 : known_[t] * unit_; }
+
   // Returns the squared residual of a field that is wrong by one everywhere. (The usual measure, the pull of
   // the given outside, is small for a large cloud: few of its tetrahedra touch infinite ones.)
   double set_diagonal() {
     return parallel_sum(size_, [&](std::size_t t) {
       const bool given = mesh_.tets.infinite(static_cast<Index>(t));
-      double diagonal = kDiagonal;
+      double diagonal = kDiagonal + std::abs(pull(t));
       for (int k = 0; k < 4; ++k) diagonal += std::abs(strength(t, k));
       if (given) field_[t] = -1;
       root_[t] = given ? 0 : static_cast<float>(std::sqrt(diagonal));
@@ -96,7 +99,7 @@ class FieldSystem {
       coupling_[t] = {0, 0, 0, 0};
       residual_[t] = change_[t] = direction_[t] = image_[t] = 0;
       if (root_[t] == 0) return 0.0;
-      double row = kDiagonal * field_[t];
+      double row = (kDiagonal + std::abs(pull(t))) * field_[t] - pull(t);
       for (int k = 0; k < 4; ++k) {
         const Index u = mesh_.tets.neighbours[t][k];
         const double c = strength(t, k);
@@ -132,6 +135,7 @@ class FieldSystem {
   const TetrahedralMesh& mesh_;
   const FacetEvidence& evidence_;
   const SiteGeometry& geometry_;
+  const std::vector<double>& known_;
   const std::size_t size_;
   const double unit_;
   std::vector<double> field_;
@@ -144,8 +148,8 @@ class FieldSystem {
 
 std::vector<double> signed_field(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
                                  const SiteGeometry& geometry, std::vector<double> guess,
-                                 const Cancel& cancel) {
-  return FieldSystem(mesh, evidence, geometry, std::move(guess)).solve(cancel);
+                                 const std::vector<double>& known, const Cancel& cancel) {
+  return FieldSystem(mesh, evidence, geometry, std::move(guess), known).solve(cancel);
 }
 
 }  // namespace filmsticking

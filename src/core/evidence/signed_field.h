@@ -18,9 +18,10 @@ namespace filmsticking {
 /// compromise, weighted by the facets' areas, up to kMostSamples samples each, is a linear system with a
 /// signed Laplacian (after Kolluri, Shewchuk and O'Brien, "Spectral surface reconstruction from noisy point
 /// clouds", 2004, with the outside given instead of an eigenvector). Conjugate gradients solve it from
-/// `guess`, one value per tetrahedron. Throws Cancelled.
+/// `guess`, one value per tetrahedron. `known`: empty, or a pull per tetrahedron in units of area: > 0 to the
+/// inside, < 0 to the outside. Throws Cancelled.
 std::vector<double> signed_field(const TetrahedralMesh& mesh, const FacetEvidence& evidence,
                                  const SiteGeometry& geometry, std::vector<double> guess,
-                                 const Cancel& cancel = {});
+                                 const std::vector<double>& known = {}, const Cancel& cancel = {});
 
 }  // namespace filmsticking

@@ -17,6 +17,7 @@ struct EnergyPrices {
   /// Of a site whose near sites all oppose it (SurfaceQuality::conflict), in samples. A sheet that winds from
   /// one side of the points to the other has such sites where it passes through.
   double conflict = 1;
+  double sight = 5;  ///< of a line of sight for each spacing of its way through the inside: as a site off
 };
 
 /// What a surface of `sites` sites costs, per site; the least is the best. Points that are drawn from a

@@ -7,6 +7,7 @@
 #include "geometry/parallel.h"
 #include "surface/cap_faces.h"
 #include "surface/feature_flips.h"
+#include "surface/front.h"
 #include "surface/meeting_faces.h"
 #include "surface/orientation.h"
 #include "surface/pinholes.h"
@@ -48,7 +49,11 @@ FinishedSurface finish(Surface found, const PointsView& points, const SiteSet& s
 
   std::vector<std::int32_t> ids(surface.site.size());
   parallel_each(ids.size(), [&](std::size_t v) { ids[v] = sites.input[surface.site[v]]; });
-  if (options.open && options.viewpoint == nullptr) turn_to_viewpoint(surface, topology, monitor.cancel());
+  if (options.open && options.viewpoints != nullptr) {
+    turn_to_sensors(surface, topology, *options.viewpoints);
+  } else if (options.open && options.viewpoint == nullptr) {
+    turn_to_viewpoint(surface, topology, monitor.cancel());
+  }
   done.usable = orient_components(surface, points.at(ids), topology);
   return done;
 }

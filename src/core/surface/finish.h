@@ -14,9 +14,10 @@ namespace filmsticking {
 
 /// What a surface is finished for.
 struct FinishOptions {
-  bool open = false;                ///< the surface may have a boundary
-  bool sharp_edges = true;          ///< flip edges along the sharp edges of the shape
-  const Vec3* viewpoint = nullptr;  ///< all faces show their fronts to it; null: unknown
+  bool open = false;                              ///< the surface may have a boundary
+  bool sharp_edges = true;                        ///< flip edges along the sharp edges of the shape
+  const Vec3* viewpoint = nullptr;                ///< all faces show their fronts to it; null: unknown
+  const std::vector<Vec3>* viewpoints = nullptr;  ///< [site] what saw it (turn_to_sensors()); null: unknown
 };
 
 /// A finished surface. Its vertices have the exact places of their sites.

@@ -33,7 +33,8 @@ TEST(SignedField, KnowsNestedSpheresByParity) {
 TEST(SignedField, OfOneSphereIsPositiveInsideWhateverTheGuess) {
   const Setting s(test::sphere(3000, 7));
   for (const double guess : {-1.0, 0.0, 1.0}) {
-    const auto field = signed_field(s.mesh, s.evidence, s.geometry, std::vector<double>(s.mesh.size(), guess));
+    const auto field =
+        signed_field(s.mesh, s.evidence, s.geometry, std::vector<double>(s.mesh.size(), guess));
     int right = 0, all = 0;
     for (std::size_t t = 0; t < s.mesh.size(); ++t) {
       if (s.mesh.tets.infinite(static_cast<Index>(t))) {
@@ -60,7 +61,9 @@ TEST(SignedField, LeavesASolutionAlone) {
 TEST(SignedField, ACancelledSolveThrows) {
   const Setting s(test::sphere(500, 1));
   const std::atomic<bool> wish{true};
-  EXPECT_THROW(signed_field(s.mesh, s.evidence, s.geometry, std::vector<double>(s.mesh.size(), 0), {&wish}), Cancelled);
+  EXPECT_THROW(
+      signed_field(s.mesh, s.evidence, s.geometry, std::vector<double>(s.mesh.size(), 0), {}, {&wish}),
+      Cancelled);
 }
 
 }  // namespace

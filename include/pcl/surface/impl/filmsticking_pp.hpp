@@ -195,7 +195,9 @@ template <typename PointInT>
 filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResult(
     const filmsticking::Execution& execution) const {
   Options options = options_;
+  if (!options.viewpoint) options.trust_viewpoint = false;
   options.viewpoint = viewPoint();
+  if (!options.viewpoints) options.viewpoints = detail::viewpointsOf(*input_, *indices_);
   if constexpr (std::is_same_v<pcl::index_t, std::int32_t> && std::is_same_v<decltype(PointInT::x), float> &&
                 std::is_same_v<decltype(PointInT::y), float> &&
                 std::is_same_v<decltype(PointInT::z), float>) {
@@ -220,8 +222,10 @@ template <typename Real>
 filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResultOfBlob(
     const filmsticking::Execution& execution) const {
   Options options = options_;
+  if (!options.viewpoint) options.trust_viewpoint = false;
   options.viewpoint = viewPoint();
   const pcl::PCLPointCloud2& blob = *blob_;
+  if (!options.viewpoints) options.viewpoints = detail::viewpointsOf(blob, *indices_);
   const std::size_t x = detail::offsetOf(blob, "x"), y = detail::offsetOf(blob, "y"),
                     z = detail::offsetOf(blob, "z");
   // Rows may be padded: points are at multiples of this, not at a constant step.

@@ -10,10 +10,17 @@
 #include <pcl/types.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "filmsticking/types.h"
 
 namespace pcl {
 namespace detail {
@@ -75,6 +82,59 @@ Real realAt(const std::uint8_t* place) {
   Real value;
   std::memcpy(&value, place, sizeof value);
   return value;
+}
+
+/** \brief The number of a field FLOAT32 or FLOAT64 of the point whose bytes begin at \a point. */
+inline double numberOf(const pcl::PCLPointField& field, const std::uint8_t* point) {
+  return field.datatype == pcl::PCLPointField::FLOAT64 ? realAt<double>(point + field.offset)
+                                                       : realAt<float>(point + field.offset);
+}
+
+/** \brief Where the sensor of each point was, as in pcl::PointWithViewpoint; null without such fields. */
+inline std::shared_ptr<const std::vector<filmsticking::Point>> viewpointsOf(const pcl::PCLPointCloud2& blob,
+                                                                            const pcl::Indices& indices) {
+  std::array<const pcl::PCLPointField*, 3> fields{};
+  for (const pcl::PCLPointField& field : blob.fields) {
+    if (field.count > 1 ||
+        (field.datatype != pcl::PCLPointField::FLOAT32 && field.datatype != pcl::PCLPointField::FLOAT64))
+      continue;
+    const char* const names[] = {"vp_x", "vp_y", "vp_z"};
+    for (std::size_t k = 0; k < 3; ++k)
+      if (field.name == names[k]) fields[k] = &field;
+  }
+  if (fields[0] == nullptr || fields[1] == nullptr || fields[2] == nullptr) return {};
+  std::vector<filmsticking::Point> viewpoints;
+  viewpoints.reserve(indices.size());
+  for (const pcl::index_t index : indices) {
+    const std::uint8_t* point = &blob.data[placeOf(blob, index)];
+    viewpoints.push_back(
+        {numberOf(*fields[0], point), numberOf(*fields[1], point), numberOf(*fields[2], point)});
+  }
+  return std::make_shared<const std::vector<filmsticking::Point>>(std::move(viewpoints));
+}
+
+/** \brief Whether a point type says where its sensor was, as pcl::PointWithViewpoint does. */
+template <typename PointT, typename = void>
+struct HasViewpoint : std::false_type {};
+template <typename PointT>
+struct HasViewpoint<PointT,
+                    std::void_t<decltype(PointT::vp_x), decltype(PointT::vp_y), decltype(PointT::vp_z)>>
+    : std::true_type {};
+
+/** \brief Where the sensor of each point was; null if the point type does not say it. */
+template <typename PointT>
+std::shared_ptr<const std::vector<filmsticking::Point>> viewpointsOf(const pcl::PointCloud<PointT>& cloud,
+                                                                     const pcl::Indices& indices) {
+  if constexpr (HasViewpoint<PointT>::value) {
+    std::vector<filmsticking::Point> viewpoints;
+    viewpoints.reserve(indices.size());
+    for (const pcl::index_t index : indices)
+      viewpoints.push_back({cloud[index].vp_x, cloud[index].vp_y, cloud[index].vp_z});
+    return std::make_shared<const std::vector<filmsticking::Point>>(std::move(viewpoints));
+  } else {
+    (void)cloud, (void)indices;
+    return {};
+  }
 }
 
 /** \brief Round x, y and z of type FLOAT64 to FLOAT32, in which PCL's point types have them.
