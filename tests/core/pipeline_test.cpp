@@ -211,6 +211,61 @@ TEST(Pipeline, TheLastResortEnclosesTheLargestTetrahedron) {
   EXPECT_GT(std::abs(test::signed_volume6(around)), 0);
 }
 
+// The walls of a room, with corners, seen from one place: no second skin, no shell; its air is the inside.
+TEST(Pipeline, ARoomSeenFromInsideIsItsAir) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(seed);
+    std::vector<Point> walls;
+    for (const Point& p : test::box(6000, seed, {6, 4, 2.8}))
+      if (p[2] < 1.3 || p[0] < 2) walls.push_back(p);  // a part of the ceiling is missing
+    Options options;
+    options.viewpoint = Point{0.3, -0.4, 0.1};
+    Setting room(walls, options);
+    const FoundSurface found = room.run();
+    expect_surface_of_sites(found, true);
+    EXPECT_GT(room.share_on(found.surface), 0.99);
+    const double volume = std::abs(test::signed_volume6(found.surface)) / 6;
+    EXPECT_NEAR(volume, 6 * 4 * 2.8 / (6.0 * 6 * 6), 0.05 * 6 * 4 * 2.8 / (6.0 * 6 * 6));
+  }
+}
+
+// A height field of hills: closed, its base is behind it as seen from above.
+TEST(Pipeline, AHeightFieldHasItsBaseBehindIt) {
+  for (const double side : {-1.0, 1.0}) {
+    SCOPED_TRACE(side);
+    test::Random random(1);
+    std::vector<Point> hills;
+    for (int i = 0; i < 4000; ++i) {
+      const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
+      hills.push_back({x, y, side * 0.4 * std::exp(-6 * (x * x + y * y))});
+    }
+    Options options;
+    options.view_direction = Point{0, 0, -side};
+    Setting setting(hills, options);
+    const FoundSurface found = setting.run();
+    expect_surface_of_sites(found, true);
+    EXPECT_GT(setting.share_on(found.surface), 0.99);
+    // The hill's volume, 0.4 pi / 6, in the unit of the sites.
+    EXPECT_NEAR(std::abs(test::signed_volume6(found.surface)) / 6, 0.4 * M_PI / 6 / 8,
+                0.1 * 0.4 * M_PI / 6 / 8);
+  }
+}
+
+// As PCD's VIEWPOINT does where somebody has moved the points.
+TEST(Pipeline, AWrongViewpointOfAClosedCloudChangesNothing) {
+  for (const auto& cloud : {test::torus(3000, 4), test::box(3000, 5, {1, 1, 0.3})}) {
+    const FoundSurface without = Setting(cloud).run();
+    for (const Point& wrong : {Point{9, 2, 3}, Point{-40, 70, 1}, Point{0.9, 0.1, 0.1}})
+      for (const bool trusted : {false, true}) {
+        Options options;
+        options.viewpoint = wrong;
+        options.trust_viewpoint = trusted;
+        EXPECT_EQ(Setting(cloud, options).run().surface.triangles, without.surface.triangles)
+            << wrong[0] << " " << trusted;
+      }
+  }
+}
+
 // The surface of a cavity was one of its own where the neck of a bottle, four spacings wide, was barred.
 TEST(Pipeline, Regression_AMouthIsNotBarred) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
