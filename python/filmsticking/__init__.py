@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import operator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Callable, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -53,10 +53,10 @@ class Mesh:
     stability: Optional[NDArray[np.float32]]  #: (t,) confidence, 0 to 1; None unless asked for
     report: Report  #: what was done
     status: Status  #: Status.Ok: other ends are exceptions
-    _input: NDArray[np.floating]
+    _input: NDArray[np.floating[Any]]
 
     @property
-    def points(self) -> NDArray[np.floating]:
+    def points(self) -> NDArray[np.floating[Any]]:
         """(v, 3) positions of the vertices, in the type of the input; a copy at every call."""
         return self._input[self.vertices]
 
@@ -118,11 +118,13 @@ def reconstruct(
     )
 
 
-def _rows_of_three(points: ArrayLike) -> NDArray[np.floating]:
+def _rows_of_three(points: ArrayLike) -> NDArray[np.floating[Any]]:
     """The points as the core reads them: in place if their type and layout allow."""
     if isinstance(points, np.ma.MaskedArray):
-        points = points.astype(np.float64).filled(np.nan)
-    array = np.asarray(points)
+        masked = np.asarray(points.mask)
+        points = np.array(points.data, dtype=np.float64)
+        points[masked] = np.nan
+    array: NDArray[Any] = np.asarray(points)
     if array.ndim != 2 or array.shape[1] != 3:
         hint = "; pass points[:, :3]" if array.ndim == 2 and array.shape[1] > 3 else ""
         raise ValueError(f"points must have the shape (n, 3), not {array.shape}{hint}")

@@ -1,5 +1,5 @@
 from enum import Enum
-from typing import Callable, Dict, Optional, Tuple
+from typing import Any, Callable, Dict, Optional, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -85,7 +85,7 @@ class Result:
     def stability(self) -> NDArray[np.float32]: ...
 
 def reconstruct(
-    points: NDArray[np.floating],
+    points: NDArray[np.floating[Any]],
     options: Options,
     progress: Optional[Callable[[float, str], object]],
 ) -> Result: ...

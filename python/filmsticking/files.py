@@ -6,7 +6,7 @@ from __future__ import annotations
 import os
 import tempfile
 from pathlib import Path
-from typing import TYPE_CHECKING, BinaryIO, List, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, BinaryIO, List, Optional, Tuple, Union
 
 import numpy as np
 
@@ -47,14 +47,15 @@ def read_cloud(path: PathLike) -> NDArray[np.void]:
     raise FileError(f"{path}: its extension is none of .ply .xyz .txt .npy; pcd_to_mesh reads .pcd .obj .stl")
 
 
-def positions_of(cloud: NDArray[np.void]) -> NDArray[np.floating]:
+def positions_of(cloud: NDArray[np.void]) -> NDArray[np.floating[Any]]:
     """The fields x, y, z of a structured array (n,) as (n, 3): float32 if all three are, else float64."""
-    single = all(cloud.dtype[axis] == np.float32 for axis in "xyz")
+    single = all(cloud.dtype[axis].str[1:] == "f4" for axis in "xyz")
     columns = [cloud[axis] for axis in "xyz"]
-    return np.stack(columns, axis=1).astype(np.float32 if single else np.float64, copy=False)
+    positions: NDArray[np.floating[Any]] = np.stack(columns, axis=1)
+    return positions.astype(np.float32 if single else np.float64, copy=False)
 
 
-def write_mesh(path: PathLike, vertices: NDArray[np.void], triangles: NDArray[np.int32]) -> None:
+def write_mesh(path: PathLike, vertices: NDArray[Any], triangles: NDArray[np.int32]) -> None:
     """Writes a binary .ply.
 
     vertices: structured (v,), with all its fields, or (v, 3). triangles: (t, 3) indices into them.
@@ -89,7 +90,7 @@ def write_mesh(path: PathLike, vertices: NDArray[np.void], triangles: NDArray[np
         raise
 
 
-def _with_names(points: NDArray[np.floating]) -> NDArray[np.void]:
+def _with_names(points: NDArray[Any]) -> NDArray[np.void]:
     if points.ndim != 2 or points.shape[1] != 3 or points.dtype.kind not in "fiu":
         raise ValueError(f"an array (n, 3) of numbers is needed, not {points.dtype} {points.shape}")
     kind = "<f4" if points.dtype == np.float32 else "<f8"

@@ -29,8 +29,8 @@ py::array array_of(std::vector<Element>&& elements) {
 }
 
 PointsView view_of(const py::array& points) {
-  if (points.ndim() != 2 || points.shape(1) != 3 || points.strides(1) != points.itemsize() ||
-      points.strides(0) < 0)
+  const bool has_rows = points.ndim() == 2 && points.shape(1) == 3;
+  if (!has_rows || (points.shape(0) > 0 && (points.strides(1) != points.itemsize() || points.strides(0) < 0)))
     throw py::value_error("points must be (n, 3), and the numbers of a point side by side");
   const auto stride = static_cast<std::size_t>(points.strides(0));
   const auto size = static_cast<std::size_t>(points.shape(0));
