@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import operator
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence, Tuple
 
 import numpy as np
@@ -54,11 +55,19 @@ class Mesh:
     report: Report  #: what was done
     status: Status  #: Status.Ok: other ends are exceptions
     _input: NDArray[np.floating[Any]]
+    _threads: int
 
     @property
     def points(self) -> NDArray[np.floating[Any]]:
         """(v, 3) positions of the vertices, in the type of the input; a copy at every call."""
         return self._input[self.vertices]
+
+    @cached_property
+    def normals(self) -> NDArray[np.float32]:
+        """(n, 3) float32, one unit normal for every *input* point, oriented by the surface; computed at the
+        first use. A point that is no vertex gets that of the nearest place, one that is not finite NaN.
+        """
+        return _core.point_normals(self._input, self.vertices, self.triangles, self._threads)
 
 
 def reconstruct(
@@ -115,6 +124,7 @@ def reconstruct(
         report=result.report,
         status=result.status,
         _input=array,
+        _threads=max(0, options.threads),
     )
 
 

@@ -89,3 +89,9 @@ def reconstruct(
     options: Options,
     progress: Optional[Callable[[float, str], object]],
 ) -> Result: ...
+def point_normals(
+    points: NDArray[np.floating[Any]],
+    vertices: NDArray[np.int32],
+    triangles: NDArray[np.int32],
+    threads: int,
+) -> NDArray[np.float32]: ...

@@ -4,11 +4,16 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <new>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "filmsticking/normals.h"
 #include "filmsticking/reconstruct.h"
 #include "interruptible.h"
 
@@ -56,6 +61,28 @@ std::unique_ptr<PyResult> run(const py::array& points, const Options& options, c
       result.status, std::move(result.message), std::move(result.report),
       array_of<std::int32_t>(std::move(result.vertices)), array_of<std::int32_t>(std::move(result.triangles)),
       array_of<float>(std::move(result.gaps)), array_of<float>(std::move(result.stability))});
+}
+
+// (n, 3) float32. The mesh is copied: its arrays may be the caller's.
+py::array normals_of(const py::array& points, const py::array_t<std::int32_t, py::array::c_style>& vertices,
+                     const py::array_t<std::int32_t, py::array::c_style>& triangles, int threads) {
+  const PointsView view = view_of(points);
+  if (vertices.ndim() != 1 || triangles.ndim() != 2 || triangles.shape(1) != 3)
+    throw py::value_error("vertices must be (v,), and triangles (t, 3)");
+  const std::vector<std::int32_t> ids(vertices.data(), vertices.data() + vertices.size());
+  std::vector<Triangle> faces(static_cast<std::size_t>(triangles.shape(0)));
+  std::copy_n(triangles.data(), 3 * faces.size(), faces.empty() ? nullptr : faces[0].data());
+  std::vector<Normal> normals;
+  const Result outcome = interruptible(
+      [&](const Execution& execution) {
+        Result result;
+        result.status = point_normals(view, ids, faces, normals, threads, execution.cancel);
+        return result;
+      },
+      py::none());
+  if (outcome.status == Status::OutOfMemory) throw std::bad_alloc();
+  if (outcome.status != Status::Ok) throw py::value_error(describe(outcome.status));
+  return array_of<float>(std::move(normals));
 }
 
 void add_status(py::module_& module) {
@@ -132,6 +159,8 @@ PYBIND11_MODULE(_core, module) {
       .def_readonly("gaps", &PyResult::gaps)
       .def_readonly("stability", &PyResult::stability);
   module.def("reconstruct", &run, py::arg("points"), py::arg("options"), py::arg("progress"));
+  module.def("point_normals", &normals_of, py::arg("points"), py::arg("vertices"), py::arg("triangles"),
+             py::arg("threads"));
 }
 
 }  // namespace filmsticking::python
