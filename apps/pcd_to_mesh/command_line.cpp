@@ -40,6 +40,12 @@ void add_options(Arguments& arguments, CommandLine& command) {
   arguments.option("--report", "FILE.json", "write what was done as JSON; of several inputs, a list",
                    command.report);
   arguments.option("--dump-steps", "DIR", "write the film after each step as PLY", command.dump_steps);
+  arguments.flag("--normals", "give the mesh's vertices unit normals; the mesh must be a .ply",
+                 command.normals);
+  arguments.option("--points-out", "FILE",
+                   "write the points, also those that are no vertices, with unit normals oriented by the "
+                   "surface: .ply .pcd .xyz .txt",
+                   command.points_out);
   arguments.flag("--stability",
                  "colour the mesh from white to red where the points alone do not tell inside from outside",
                  command.options.stability);
@@ -85,6 +91,8 @@ void choose_files(const Arguments& given, CommandLine& command) {
     command.tasks = tasks_of(files, command.folder, command.to);
     if (!command.dump_steps.empty() && files.size() > 1)
       throw UsageError("--dump-steps takes one input only");
+    if (!command.points_out.empty() && files.size() > 1)
+      throw UsageError("--points-out takes one input only");
     return;
   }
   if (files.size() > 1)

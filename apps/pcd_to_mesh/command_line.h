@@ -27,6 +27,8 @@ struct CommandLine {
       from;  ///< the format of the inputs; empty: by the name of a file, by the content of standard input
   std::string to = "ply";  ///< the format of standard output and of a batch
   std::string report;      ///< JSON file; empty: none
+  std::string points_out;  ///< file for the cloud with normals; empty: none
+  bool normals = false;    ///< of the vertices, in the mesh
   std::string dump_steps;  ///< folder for the film after each step; empty: none
   int jobs = 1;            ///< tasks at a time
   filters::FilterOptions filters;

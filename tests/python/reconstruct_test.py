@@ -113,6 +113,17 @@ class Reconstruct(unittest.TestCase):
         mesh = filmsticking.reconstruct(points, stability=True)
         self.assertEqual(mesh.stability.shape, (len(mesh.triangles),))
 
+    def test_normals_are_one_for_every_input_point(self):
+        points = np.vstack([sphere(2000), [[0, 0, 9], [np.nan, 0, 0]]]).astype(np.float32)  # an outlier
+        mesh = filmsticking.reconstruct(points)
+        normals = mesh.normals
+        self.assertEqual(normals.shape, points.shape)
+        np.testing.assert_allclose(np.linalg.norm(normals[:-1], axis=1), 1, atol=1e-6)
+        outward = (normals * points / np.linalg.norm(points, axis=1)[:, None]).sum(axis=1)[:-1]
+        self.assertGreater(outward.min(), 0.9)
+        self.assertTrue(np.isnan(normals[-1]).all())
+        self.assertIs(mesh.normals, normals)
+
     def test_arrays_outlive_the_mesh(self):
         mesh = filmsticking.reconstruct(sphere(3000))
         triangles, expected = mesh.triangles, mesh.triangles.copy()
