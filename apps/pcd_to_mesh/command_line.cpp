@@ -2,6 +2,7 @@
 #include "command_line.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -9,6 +10,7 @@
 
 #include "common/filter_arguments.h"
 #include "common/reconstruction_arguments.h"
+#include "filters/filter_options.h"
 #include "io/formats.h"
 
 namespace fs = std::filesystem;
@@ -23,6 +25,15 @@ void add_format(Arguments& arguments, const std::string& name, const std::string
   choices.reserve(formats.size());
   for (const std::string& each : formats) choices.push_back({each, each});
   arguments.choice(name, "FORMAT", help, format, choices);
+}
+
+MaxHole parse_max_hole(const std::string& text) {
+  const bool is_share = !text.empty() && text.back() == '%';
+  const std::vector<double> numbers =
+      filters::parse_numbers(text.substr(0, text.size() - (is_share ? 1 : 0)));
+  if (numbers.size() != 1 || !(numbers[0] > 0) || !std::isfinite(numbers[0]))
+    throw UsageError("--close-holes takes a length or a percentage above 0, not '" + text + "'");
+  return {is_share ? numbers[0] / 100 : numbers[0], is_share};
 }
 
 void add_options(Arguments& arguments, CommandLine& command) {
@@ -49,6 +60,11 @@ void add_options(Arguments& arguments, CommandLine& command) {
   arguments.flag("--stability",
                  "colour the mesh from white to red where the points alone do not tell inside from outside",
                  command.options.stability);
+  arguments.option(
+      "--close-holes", "LENGTH|PERCENT",
+      "as --open, but close holes of at most this diameter, in the cloud's unit or, with %, of its "
+      "box's diagonal",
+      [&command](const std::string& text) { command.max_hole = parse_max_hole(text); });
   add_filters(arguments, command.filters);
   add_reconstruction(arguments, command.options);
 }

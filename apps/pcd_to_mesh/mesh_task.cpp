@@ -5,8 +5,11 @@
 #include <pcl/surface/filmsticking_pp.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <new>
 #include <optional>
@@ -130,6 +133,17 @@ struct Reconstructed {
   std::vector<Normal> normals;  // of `points`; empty unless they are asked for
 };
 
+/// Of the box of the finite points.
+double diagonal_of(const pcl::PCLPointCloud2& cloud) {
+  Point low, high;
+  low.fill(std::numeric_limits<double>::infinity()), high.fill(-low[0]);
+  for (const Point& p : io::positions_of(cloud)) {
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) continue;
+    for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+  }
+  return low[0] > high[0] ? 0 : std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}
+
 /// Fills `result` but for its gaps.
 Reconstructed reconstruct(io::Cloud cloud, const CommandLine& command, const Progress& progress,
                           StepDump& dump, Result& result) {
@@ -137,6 +151,7 @@ Reconstructed reconstruct(io::Cloud cloud, const CommandLine& command, const Pro
   filmsticking.useNoViewPoint();  // but for one that is given
   Options options = command.options;
   if (!options.viewpoint) options.viewpoint = cloud.viewpoint;
+  options.max_hole = command.max_hole.value * (command.max_hole.is_share ? diagonal_of(cloud.points) : 1);
   filmsticking.setOptions(options);
   filmsticking.setProgressCallback(progress);
   filmsticking.setCancelFlag(&stop_asked);

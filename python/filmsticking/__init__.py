@@ -18,12 +18,12 @@ from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence, Tuple
 import numpy as np
 
 from . import _core
-from ._core import Report, Status, __version__
+from ._core import Hole, Report, Status, __version__
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Error", "Mesh", "Report", "Status", "__version__", "reconstruct"]
+__all__ = ["Error", "Hole", "Mesh", "Report", "Status", "__version__", "reconstruct"]
 
 
 class Error(RuntimeError):
@@ -42,7 +42,7 @@ class Error(RuntimeError):
 class Mesh:
     """A triangle mesh whose vertices are input points. Not copied: arrays are those of the library.
 
-    Every edge has two faces (with `open`: one or two), the faces around a vertex form one ring (or fan), and
+    Every edge has two faces (with `open` or `max_hole`: one or two), the faces around a vertex form one ring (or fan), and
     outermost components wind counter-clockwise seen from outside.
     """
 
@@ -74,6 +74,7 @@ def reconstruct(
     points: ArrayLike,
     *,
     open: bool = False,
+    max_hole: float = 0,
     viewpoint: Optional[Sequence[float]] = None,
     keep_outliers: bool = False,
     sharp_edges: bool = True,
@@ -88,6 +89,8 @@ def reconstruct(
         points; other arrays are copied once. Rows with NaN or infinity, masked and repeated ones are skipped.
         No other thread may change them meanwhile.
     open: the result may have a boundary; faces that no data support are left out.
+    max_hole: as `open`, but holes of at most this diameter, in the unit of the points, get a lid; 0: none.
+        report.holes lists all holes.
     viewpoint: (3,) where all points were seen from, if they do not reveal it.
     keep_outliers: mesh points that are far from all others, too.
     sharp_edges: flip edges to lie along sharp edges.
@@ -105,6 +108,7 @@ def reconstruct(
     array = _rows_of_three(points)
     options = _core.Options()
     options.open_boundary = bool(open)
+    options.max_hole = float(max_hole)
     options.viewpoint = None if viewpoint is None else _place(viewpoint)
     options.keep_outliers = bool(keep_outliers)
     options.sharp_edges = bool(sharp_edges)

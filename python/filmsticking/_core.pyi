@@ -1,5 +1,5 @@
 from enum import Enum
-from typing import Any, Callable, Dict, Optional, Tuple
+from typing import Any, Callable, Dict, List, Optional, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,12 +21,27 @@ class Status(Enum):
 
 class Options:
     open_boundary: bool
+    max_hole: float
     viewpoint: Optional[Tuple[float, float, float]]
     keep_outliers: bool
     sharp_edges: bool
     stability: bool
     threads: int
     max_memory: int
+
+class Hole:
+    @property
+    def length(self) -> float: ...
+    @property
+    def diameter(self) -> float: ...
+    @property
+    def area(self) -> float: ...
+    @property
+    def centre(self) -> List[float]: ...
+    @property
+    def edges(self) -> int: ...
+    @property
+    def closed(self) -> bool: ...
 
 class Report:
     @property
@@ -57,6 +72,8 @@ class Report:
     def boundary_edges(self) -> int: ...
     @property
     def boundary_loops(self) -> int: ...
+    @property
+    def holes(self) -> List[Hole]: ...
     @property
     def closed(self) -> bool: ...
     @property

@@ -104,6 +104,7 @@ void add_options(py::module_& module) {
   py::class_<Options>(module, "Options")
       .def(py::init<>())
       .def_readwrite("open_boundary", &Options::open_boundary)
+      .def_readwrite("max_hole", &Options::max_hole)
       .def_readwrite("viewpoint", &Options::viewpoint)
       .def_readwrite("keep_outliers", &Options::keep_outliers)
       .def_readwrite("sharp_edges", &Options::sharp_edges)
@@ -113,6 +114,13 @@ void add_options(py::module_& module) {
 }
 
 void add_report(py::module_& module) {
+  py::class_<Hole>(module, "Hole", "A hole of a surface; lengths in the unit of the points.")
+      .def_readonly("length", &Hole::length, "Of its rim.")
+      .def_readonly("diameter", &Hole::diameter, "Of the smallest ball around its rim.")
+      .def_readonly("area", &Hole::area, "Of its rim, projected along its mean normal.")
+      .def_readonly("centre", &Hole::centre, "(3,) mean place of its rim.")
+      .def_readonly("edges", &Hole::edges, "Of its rim.")
+      .def_readonly("closed", &Hole::closed, "It has got a lid.");
   py::class_<Report>(module, "Report", "What a reconstruction did; after a failure, filled up to it.")
       .def_readonly("points", &Report::points, "Input points.")
       .def_readonly("sites", &Report::sites, "Distinct finite points.")
@@ -128,6 +136,7 @@ void add_report(py::module_& module) {
       .def_readonly("genus", &Report::genus, "Sum over the components.")
       .def_readonly("boundary_edges", &Report::boundary_edges, "Edges with one face.")
       .def_readonly("boundary_loops", &Report::boundary_loops, "Loops of such edges.")
+      .def_readonly("holes", &Report::holes, "Of an open surface, also those with a lid; the widest first.")
       .def_readonly("closed", &Report::closed, "Every edge has two faces.")
       .def_readonly("manifold", &Report::manifold, "Oriented, and every vertex has one ring or fan.")
       .def_readonly("seconds", &Report::seconds, "Wall time.")

@@ -30,6 +30,8 @@ void check_options(const Options& options) {
   require(options.max_steps >= 1, "at least one film step is needed");
   require(options.max_rounds >= 0, "the number of rounds must not be negative");
   require(options.threads >= 0, "the number of threads must not be negative");
+  require(std::isfinite(options.max_hole) && options.max_hole >= 0,
+          "the largest hole to close must be a finite length that is not negative");
   require(options.max_memory >= 0, "the memory allowed must not be negative");
   if (method_of(options) != Method::Film || film_start_of(options) != FilmStart::Given) return;
   if (!options.guiding_surface || !is_closed_manifold(*options.guiding_surface))

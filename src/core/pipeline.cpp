@@ -54,7 +54,7 @@ Pipeline::Pipeline(const PointsView& points, const SiteSet& sites, const SiteGeo
       monitor_(monitor),
       report_(report),
       cutter_(points, sites, geometry, options, monitor),
-      open_(options.open_boundary) {}
+      open_(may_be_open(options)) {}
 
 FoundSurface Pipeline::run(Tetrahedra tetrahedra) {
   report_.tetrahedra = static_cast<std::int64_t>(tetrahedra.size());

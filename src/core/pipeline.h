@@ -24,7 +24,7 @@ class Pipeline {
   Pipeline(const PointsView& points, const SiteSet& sites, const SiteGeometry& geometry,
            const Options& options, Monitor& monitor, Report& report);
 
-  /// Returns a closed manifold; with Options::open_boundary it may have a boundary. Empty if no surface is
+  /// Returns a closed manifold; with may_be_open() it may have a boundary. Empty if no surface is
   /// found. Once only. `tetrahedra`: the Delaunay triangulation of the perturbed sites.
   FoundSurface run(Tetrahedra tetrahedra);
 
@@ -56,7 +56,7 @@ class Pipeline {
   Monitor& monitor_;
   Report& report_;
   Cutter cutter_;
-  const bool open_;  // Options::open_boundary
+  const bool open_;  // may_be_open()
 };
 
 }  // namespace filmsticking

@@ -71,18 +71,20 @@ void run(const PointsView& points, const Options& options, const Execution& exec
   // An open depth image needs no tetrahedra.
   Pipeline pipeline(points, sites, geometry, options, monitor, report);
   std::optional<FoundSurface> found;
-  if (options.open_boundary && method_of(options) == Method::Labelling) found = pipeline.visible_surface();
+  const bool may_open = may_be_open(options);
+  if (may_open && method_of(options) == Method::Labelling) found = pipeline.visible_surface();
   if (!found) {
     monitor.enter("triangulation", monitor.share());
     found = pipeline.run(triangulation_of(sites, limits, report, options));
   }
 
-  const FinishOptions finish_options{options.open_boundary, options.sharp_edges,
-                                     found->viewpoint ? &*found->viewpoint : nullptr};
+  const FinishOptions finish_options{may_open, options.sharp_edges,
+                                     found->viewpoint ? &*found->viewpoint : nullptr,
+                                     options.max_hole / sites.side};
   FinishedSurface finished =
       finish(std::move(found->surface), points, sites, geometry, finish_options, monitor);
   // Few points, mostly on a plane: a closed surface may be flatter than the perturbation.
-  if (!finished.usable && !options.open_boundary) {
+  if (!finished.usable && !may_open) {
     found->stability.clear();
     finished = finish(pipeline.around_one_tetrahedron(), points, sites, geometry, finish_options, monitor);
   }
@@ -90,7 +92,7 @@ void run(const PointsView& points, const Options& options, const Execution& exec
   if (!finished.usable) throw Failure(Status::NoSurface);
 
   monitor.enter("result", 0.97);
-  write_result(finished, sites, geometry, found->stability, options.open_boundary, result);
+  write_result(finished, sites, geometry, found->stability, may_open, result);
   if (method_of(options) == Method::Labelling &&
       2 * report.interpolated < static_cast<std::int64_t>(sites.size()))
     throw Failure(Status::NoSurface,

@@ -41,7 +41,7 @@ class Types(unittest.TestCase):
         import filmsticking
 
         stub = (FOLDER / "filmsticking" / "_core.pyi").read_text()
-        for kind in ("Report", "Result", "Options", "Status"):
+        for kind in ("Hole", "Report", "Result", "Options", "Status"):
             members = [name for name in dir(getattr(filmsticking._core, kind)) if not name.startswith("_")]
             part = stub.split(f"class {kind}")[1].split("\nclass")[0]
             for name in members:

@@ -199,7 +199,7 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   const pcl::PointCloud<pcl::Normal>& getNormals() const { return normals_; }
 
   /** \name Options that most callers need
-   * Most callers need setInputCloud() and at most these five setters. */
+   * Most callers need setInputCloud() and at most these six setters. */
   ///@{
 
   /** \brief Set whether the result may have a boundary: faces that no data support are removed.
@@ -212,6 +212,18 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
 
   /** \brief Get whether the result may have a boundary. */
   bool getOutputBoundary() const { return options_.open_boundary; }
+
+  /** \brief Set the largest hole to close: between a closed result and an open one.
+   *
+   * The result may have a boundary, but rims whose diameter is at most \a length get a lid. A lid has
+   * no new vertices, and avoids other faces where it can. A rim stays open only where a lid would break the
+   * manifold or lie on the surface. getReport().holes lists all rims.
+   * \param[in] length in the unit of the points; 0, the default: setOutputBoundary() alone decides
+   */
+  void setMaxHole(double length) { options_.max_hole = length; }
+
+  /** \brief Get the largest hole to close. */
+  double getMaxHole() const { return options_.max_hole; }
 
   /** \brief Set the sensor position, instead of the sensor origin of the cloud.
    *

@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cloud_fit.h"
+#include "filmsticking/report.h"
 #include "sharp_edges.h"
 #include "topology.h"
 #include "truth_fit.h"
@@ -29,6 +31,7 @@ struct Report {
   double area = 0;               ///< in the mesh's unit squared
   std::optional<double> volume;  ///< in the mesh's unit cubed; only of a closed, oriented mesh
   bool outward = false;          ///< closed, oriented, and the volume is positive
+  std::vector<Hole> holes;       ///< loops of boundary edges, the widest first
   std::optional<CloudFit> cloud;
   std::optional<TruthFit> truth;
 };
