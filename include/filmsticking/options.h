@@ -79,6 +79,7 @@ struct Options {
   /// them, is at most this get a lid. In the unit of the points. A lid has no new vertices, and avoids other
   /// faces where it can. A rim stays open only where a lid would break the manifold or lie on the surface, or
   /// that is very long and tangled. Report::holes lists all rims.
+  /// The diagonal of the points' box, or more: the result is closed, as without open_boundary.
   double max_hole = 0;
 
   /// Sensor position, in the unit and frame of the points. Used only if the points do not reveal it, as in

@@ -50,8 +50,15 @@ Tetrahedra triangulation_of(const SiteSet& sites, const TriangulationLimits& lim
   }
 }
 
+// Every hole is to be closed: then the result is the closed one.
+bool closes_all(const Options& options, const SiteSet& sites) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : sites.perturbed) box.extend(p);
+  return options.max_hole >= sites.side * box.diagonal().norm();
+}
+
 // Runs all stages in order. Throws Failure, Cancelled or CallbackThrew.
-void run(const PointsView& points, const Options& options, const Execution& execution, Result& result) {
+void run(const PointsView& points, Options options, const Execution& execution, Result& result) {
   Report& report = result.report;
   report.points = static_cast<std::int64_t>(points.size());
   check_options(options);
@@ -60,6 +67,7 @@ void run(const PointsView& points, const Options& options, const Execution& exec
 
   monitor.enter("sites", 0);
   SiteSet sites = sites_of(points, options, report);
+  if (closes_all(options, sites)) options.max_hole = 0, options.open_boundary = false;
   const TriangulationLimits limits = triangulation_limits(report, options, monitor.cancel());
 
   monitor.enter("triangulation", 0.02);

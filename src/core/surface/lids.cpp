@@ -45,8 +45,8 @@ class Lids {
     joined_.clear();
     for (const Index v : rim) joined_.push_back(neighbours(v));
     best_ = {};
-    const bool done = rim.size() <= kLong ? try_least(rim) || consider(in_plane(rim))
-                                          : consider(in_plane(rim)) || try_least(rim);
+    const bool done =
+        rim.size() <= kLong ? try_least(rim) || try_plane(rim) : try_plane(rim) || try_least(rim);
     if (best_.faces.empty() || (!done && is_flat_with(rim, best_.faces))) return false;
     surface_.triangles.insert(surface_.triangles.end(), best_.faces.begin(), best_.faces.end());
     return true;
@@ -83,8 +83,9 @@ class Lids {
   };
 
   // Keeps the lid that meets least. True: it meets nothing.
-  bool consider(const std::vector<Corners>& faces) {
-    if (!faces.empty()) consider(faces, tree_.meeting(faces, cancel_).size());
+  bool try_plane(const Rim& rim) {
+    const std::vector<Corners> faces = in_plane(rim);
+    if (!faces.empty()) consider(faces, tree_.meeting(faces, true, cancel_).size());
     return best_.meeting == 0;
   }
   void consider(const std::vector<Corners>& faces, std::size_t meeting) {
@@ -100,7 +101,7 @@ class Lids {
     for (int round = 0; round < rounds && best_.meeting > 0; ++round) {
       const std::vector<Corners> faces = least(rim, forbidden);
       if (faces.empty()) break;
-      const std::vector<std::size_t> meeting = tree_.meeting(faces, cancel_);
+      const std::vector<std::size_t> meeting = tree_.meeting(faces, false, cancel_);
       consider(faces, meeting.size());
       for (const std::size_t i : meeting) forbidden.insert(faces[i]);
     }

@@ -14,6 +14,9 @@ namespace {
 // hold much that is not near it.
 constexpr double kPiece = 8;
 
+// Appended faces that are compared one by one. More: the tree is made anew.
+constexpr std::size_t kNews = 4096;
+
 double median_edge(const Surface& surface) {
   std::vector<double> lengths;
   for (const Corners& t : surface.triangles)
@@ -40,12 +43,17 @@ MeetingTree::MeetingTree(const Surface& surface)
       piece_(std::max(kPiece * median_edge(surface), 1e-3)),  // of a box of size 1: bounds the pieces
       tree_(surface) {}
 
-std::vector<std::size_t> MeetingTree::meeting(const std::vector<Corners>& faces, const Cancel& cancel) const {
+std::vector<std::size_t> MeetingTree::meeting(const std::vector<Corners>& faces, bool apart_from_each_other,
+                                              const Cancel& cancel) {
+  if (surface_.triangles.size() > faces_ + kNews) {
+    faces_ = surface_.triangles.size();
+    tree_ = FaceTree(surface_);
+  }
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     cancel();
     bool meets = meets_surface(faces[i]);
-    for (std::size_t k = 0; k < i && !meets; ++k)
+    for (std::size_t k = 0; k < i && !meets && !apart_from_each_other; ++k)
       meets = !Meeting(surface_.positions, faces[i], faces[k], kMeetingMargin).in_common_corners_only();
     if (meets) found.push_back(i);
   }

@@ -13,12 +13,14 @@ namespace filmsticking {
 /// Do new faces meet a surface, that grows by them?
 class MeetingTree {
  public:
-  /// `surface` must outlive the tree. Faces that it gets later are compared one by one.
+  /// `surface` must outlive the tree; faces may be appended to it.
   explicit MeetingTree(const Surface& surface);
 
-  /// Those of these faces, by their places, that meet the surface, or one before them, elsewhere than in common
-  /// corners. Rounding counts as meeting. Throws Cancelled.
-  std::vector<std::size_t> meeting(const std::vector<Corners>& faces, const Cancel& cancel = {}) const;
+  /// Those of these faces, by their places, that meet the surface, or one before them (unless
+  /// `apart_from_each_other`), elsewhere than in common corners. Rounding counts as meeting. Throws
+  /// Cancelled.
+  std::vector<std::size_t> meeting(const std::vector<Corners>& faces, bool apart_from_each_other,
+                                   const Cancel& cancel = {});
 
  private:
   bool meets_surface(const Corners& face) const;

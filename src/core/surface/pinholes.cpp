@@ -29,11 +29,11 @@ class Pinholes {
   std::int64_t run() {
     const std::vector<Line> lines = find_lines();
     if (lines.empty()) return 0;
-    const MeetingTree tree(surface_);
+    MeetingTree tree(surface_);
     std::int64_t filled = 0;
     for (const Line& line : lines) {
       const std::vector<Corners> filling = triangulation(line);
-      if (filling.empty() || !tree.meeting(filling).empty()) continue;
+      if (filling.empty() || !tree.meeting(filling, false).empty()) continue;
       surface_.triangles.insert(surface_.triangles.end(), filling.begin(), filling.end());
       ++filled;
     }
