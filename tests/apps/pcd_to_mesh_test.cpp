@@ -244,6 +244,34 @@ TEST(PcdToMesh, NormalsOfAllPointsAndOfTheVerticesAreWritten) {
   EXPECT_TRUE(normals_in(io::read_mesh(folder / "mesh.ply").cloud).empty());  // not asked for
 }
 
+TEST(PcdToMesh, HolesAreClosedUpToADiameter) {
+  const ScratchFolder folder;
+  Model ball;
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  while (ball.positions.size() < 6000) {
+    const double x = normal(random), y = normal(random), z = normal(random), r = std::hypot(x, y, z);
+    if (std::hypot(x, y) > (z > 0 ? 0.3 : 0.6) * r) ball.positions.push_back({x / r, y / r, z / r});
+  }
+  io::write_mesh(folder / "ball.ply", ball);
+  // The diagonal of the box is about 3.4.
+  const std::pair<const char*, int> cases[] = {{"0.4", 2}, {"0.9", 1}, {"12%", 2}, {"27%", 1}, {"50%", 0}};
+  for (const auto& [most, open] : cases) {
+    SCOPED_TRACE(most);
+    const Outcome outcome = pcd_to_mesh({folder / "ball.ply", folder / "mesh.ply", "--close-holes", most,
+                                         "--report", folder / "report.json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const Json report = read_json(folder / "report.json");
+    EXPECT_EQ(report.at("boundary_loops").get<int>(), open);
+    ASSERT_EQ(report.at("holes").size(), 2u);
+    EXPECT_EQ(report.at("holes")[0].at("closed").get<bool>(), open == 0);
+    EXPECT_EQ(outcome.out.find("lids") == std::string::npos, open == 2) << outcome.out;
+  }
+  for (const char* wrong : {"0", "-1", "x", "", "1,2", "inf", "%"})
+    EXPECT_EQ(pcd_to_mesh({folder / "ball.ply", folder / "m.ply", "--close-holes", wrong}).status, 2)
+        << wrong;
+}
+
 TEST(PcdToMesh, NormalsThatCannotBeWrittenAreRefusedBeforeTheWork) {
   const ScratchFolder folder;
   expect_failure({kBunny, folder / "m.obj", "--normals"}, folder, 1);

@@ -69,6 +69,7 @@ TEST(FilmstickingPP, OptionsAreKept) {
   filmsticking.setUseWeights(false);
   filmsticking.setInsertLeftover(false);
   filmsticking.setOutputBoundary(true);
+  filmsticking.setMaxHole(0.25);
   filmsticking.setKeepOutliers(true);
   filmsticking.setSharpEdges(false);
   filmsticking.setComputeStability(true);
@@ -84,6 +85,8 @@ TEST(FilmstickingPP, OptionsAreKept) {
   EXPECT_FALSE(options.weights);
   EXPECT_FALSE(options.insert_leftover);
   EXPECT_TRUE(options.open_boundary);
+  EXPECT_EQ(options.max_hole, 0.25);
+  EXPECT_EQ(filmsticking.getMaxHole(), 0.25);
   EXPECT_TRUE(options.keep_outliers);
   EXPECT_FALSE(options.sharp_edges);
   EXPECT_TRUE(options.stability && filmsticking.getComputeStability());

@@ -107,6 +107,15 @@ class Reconstruct(unittest.TestCase):
         self.assertEqual(mesh.report.boundary_loops, 1)
         self.assertTrue(filmsticking.reconstruct(half).report.closed)
 
+    def test_max_hole_closes_small_holes_and_leaves_wide_ones(self):
+        points = sphere(8000)
+        radius = np.hypot(points[:, 0], points[:, 1])
+        points = points[radius > np.where(points[:, 2] > 0, 0.3, 0.6)]
+        mesh = filmsticking.reconstruct(points, max_hole=0.9)
+        self.assertEqual([hole.closed for hole in mesh.report.holes], [False, True])
+        self.assertAlmostEqual(mesh.report.holes[0].diameter, 1.2, delta=0.15)
+        self.assertEqual(mesh.report.boundary_loops, 1)
+
     def test_stability_only_if_asked_for(self):
         points = sphere(800)
         self.assertIsNone(filmsticking.reconstruct(points).stability)

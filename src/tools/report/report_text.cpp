@@ -71,9 +71,9 @@ void add_holes(Table& table, const std::vector<Hole>& holes) {
     char text[200];
     std::snprintf(text, sizeof text, "diameter %.4g, length %.4g, area %.4g, around %.4g %.4g %.4g",
                   hole.diameter, hole.length, hole.area, hole.centre[0], hole.centre[1], hole.centre[2]);
-    table.add(i == 0 ? "  the widest" : "", text);
+    table.add(("hole " + std::to_string(i + 1)).c_str(), text);
   }
-  if (holes.size() > kShown) table.add("", "... --json lists all");
+  if (holes.size() > kShown) table.add("more holes", "--json lists all");
 }
 
 void add_cloud(Table& table, const CloudFit& cloud) {
