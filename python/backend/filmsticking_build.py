@@ -44,7 +44,8 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     name = f"filmsticking-{_version()}-{_tag()}.whl"
     with tempfile.TemporaryDirectory(prefix="filmsticking-") as folder:
         package = _built_package(Path(folder))
-        contents = {f"filmsticking/{file.name}": file.read_bytes() for file in sorted(package.iterdir())}
+        contents = {f"filmsticking/{file.name}": file.read_bytes() for file in sorted(package.iterdir())
+                    if file.is_file()}  # fmt: skip
     info = f"filmsticking-{_version()}.dist-info"
     contents.update((f"{info}/{file}", text.encode()) for file, text in _metadata().items())
     record = "".join(f"{file},sha256={_digest(data)},{len(data)}\n" for file, data in contents.items())
