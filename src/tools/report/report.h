@@ -44,8 +44,8 @@ TruthFit truth_fit(const Surface& mesh, const Topology& topology, const Surface&
 /// A table for people.
 std::string to_text(const Report& report);
 
-/// One JSON object, flat but for the list of holes; a measurement without a value is null. Members of the cloud and of the truth only
-/// with these.
+/// One JSON object, flat but for the list of holes; a measurement without a value is null. Members of the
+/// cloud and of the truth only with these.
 std::string to_json(const Report& report);
 
 }  // namespace filmsticking::mesh_report
