@@ -217,6 +217,9 @@ class Execution(unittest.TestCase):
         self.assertGreater(len(meanwhile), 5)
 
     def test_ctrl_c_ends_the_work(self):
+        # A job in the background has it ignored.
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
         points = sphere(300000)
         begin = time.monotonic()
         timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
