@@ -60,6 +60,23 @@ foreach(program pcd_to_mesh capture_to_mesh mesh_snapshot mesh_view mesh_report)
   endif()
 endforeach()
 
+# The Python package. Python looks in folders that depend on the prefix; elsewhere PYTHONPATH must name it.
+if(TARGET filmsticking_python)
+  set(FILMSTICKING_PYTHON_DIR "" CACHE STRING "Folder of Python packages below the prefix; empty: Debian's")
+  get_property(python_sources GLOBAL PROPERTY FILMSTICKING_PYTHON_SOURCES)
+  get_property(python_version GLOBAL PROPERTY FILMSTICKING_PYTHON_VERSION)
+  set(python_dir "\${filmsticking_python_dir}/filmsticking")
+  install(CODE "
+    set(filmsticking_python_dir \"${FILMSTICKING_PYTHON_DIR}\")
+    if(NOT filmsticking_python_dir AND CMAKE_INSTALL_PREFIX STREQUAL \"/usr/local\")
+      set(filmsticking_python_dir lib/python${python_version}/dist-packages)
+    elseif(NOT filmsticking_python_dir)
+      set(filmsticking_python_dir lib/python3/dist-packages)
+    endif()" COMPONENT python)
+  install(TARGETS filmsticking_python LIBRARY DESTINATION ${python_dir} COMPONENT python)
+  install(FILES ${python_sources} DESTINATION ${python_dir} COMPONENT python)
+endif()
+
 # Debian packages, as Debian splits them: cpack -G DEB
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME filmsticking-pp)
@@ -73,6 +90,9 @@ if(TARGET pcd_to_mesh)
 endif()
 if(TARGET filmsticking_node)
   list(APPEND CPACK_COMPONENTS_ALL ros)
+endif()
+if(TARGET filmsticking_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
 endif()
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -103,6 +123,13 @@ set(CPACK_DEBIAN_ROS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_ROS_PACKAGE_RECOMMENDS
   "python3-roslaunch, libpcl-ros-dev, pcl-ros-tools, python3-rosbag, rviz")
 set(CPACK_COMPONENT_ROS_DESCRIPTION "The node for ROS 1 and its launch files.")
+set(CPACK_COMPONENT_PYTHON_DEPENDS libraries)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-filmsticking)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+# The module fits one minor version of Python only.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+  "python3 (>= ${python_version}), python3 (<< ${python_version}.99), python3-numpy")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "The Python module.")
 
 foreach(component ${CPACK_COMPONENTS_ALL})
   string(TOUPPER ${component} upper)

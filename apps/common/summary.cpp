@@ -3,6 +3,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace filmsticking::app {
@@ -15,6 +16,10 @@ std::string mesh_summary(const Report& report, const std::string& file) {
                      std::to_string(report.triangles) + " triangles\nclosed  ";
   text += report.closed ? "yes" : "no, " + count(report.boundary_loops, "border");
   text += report.manifold ? ", manifold\n" : ", not manifold\n";
+  const auto lids =
+      std::count_if(report.holes.begin(), report.holes.end(), [](const Hole& h) { return h.closed; });
+  if (lids > 0)
+    text += "lids    " + count(lids, "hole") + " of " + std::to_string(report.holes.size()) + " closed\n";
   text += "genus   " + std::to_string(report.genus) + ", " + count(report.components, "component") + "\n";
   char share[40];
   std::snprintf(share, sizeof share, " (%.2f %%)",

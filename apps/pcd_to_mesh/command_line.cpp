@@ -2,6 +2,7 @@
 #include "command_line.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -9,6 +10,7 @@
 
 #include "common/filter_arguments.h"
 #include "common/reconstruction_arguments.h"
+#include "filters/filter_options.h"
 #include "io/formats.h"
 
 namespace fs = std::filesystem;
@@ -23,6 +25,15 @@ void add_format(Arguments& arguments, const std::string& name, const std::string
   choices.reserve(formats.size());
   for (const std::string& each : formats) choices.push_back({each, each});
   arguments.choice(name, "FORMAT", help, format, choices);
+}
+
+MaxHole parse_max_hole(const std::string& text) {
+  const bool is_share = !text.empty() && text.back() == '%';
+  const std::vector<double> numbers =
+      filters::parse_numbers(text.substr(0, text.size() - (is_share ? 1 : 0)));
+  if (numbers.size() != 1 || !(numbers[0] > 0) || !std::isfinite(numbers[0]))
+    throw UsageError("--close-holes takes a length or a percentage above 0, not '" + text + "'");
+  return {is_share ? numbers[0] / 100 : numbers[0], is_share};
 }
 
 void add_options(Arguments& arguments, CommandLine& command) {
@@ -40,9 +51,20 @@ void add_options(Arguments& arguments, CommandLine& command) {
   arguments.option("--report", "FILE.json", "write what was done as JSON; of several inputs, a list",
                    command.report);
   arguments.option("--dump-steps", "DIR", "write the film after each step as PLY", command.dump_steps);
+  arguments.flag("--normals", "give the mesh's vertices unit normals; the mesh must be a .ply",
+                 command.normals);
+  arguments.option("--points-out", "FILE",
+                   "write the points, also those that are no vertices, with unit normals oriented by the "
+                   "surface: .ply .pcd .xyz .txt",
+                   command.points_out);
   arguments.flag("--stability",
                  "colour the mesh from white to red where the points alone do not tell inside from outside",
                  command.options.stability);
+  arguments.option(
+      "--close-holes", "LENGTH|PERCENT",
+      "as --open, but close holes of at most this diameter, in the cloud's unit or, with %, of its "
+      "box's diagonal",
+      [&command](const std::string& text) { command.max_hole = parse_max_hole(text); });
   add_filters(arguments, command.filters);
   add_reconstruction(arguments, command.options);
 }
@@ -85,6 +107,8 @@ void choose_files(const Arguments& given, CommandLine& command) {
     command.tasks = tasks_of(files, command.folder, command.to);
     if (!command.dump_steps.empty() && files.size() > 1)
       throw UsageError("--dump-steps takes one input only");
+    if (!command.points_out.empty() && files.size() > 1)
+      throw UsageError("--points-out takes one input only");
     return;
   }
   if (files.size() > 1)

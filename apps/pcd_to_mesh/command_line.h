@@ -18,6 +18,12 @@ struct Task {
   std::string output;
 };
 
+/// The largest hole to close: a length, or a share of the diagonal of the cloud's box.
+struct MaxHole {
+  double value = 0;
+  bool is_share = false;
+};
+
 /// The command line of pcd_to_mesh.
 struct CommandLine {
   std::vector<Task> tasks;
@@ -27,6 +33,9 @@ struct CommandLine {
       from;  ///< the format of the inputs; empty: by the name of a file, by the content of standard input
   std::string to = "ply";  ///< the format of standard output and of a batch
   std::string report;      ///< JSON file; empty: none
+  std::string points_out;  ///< file for the cloud with normals; empty: none
+  MaxHole max_hole;
+  bool normals = false;    ///< of the vertices, in the mesh
   std::string dump_steps;  ///< folder for the film after each step; empty: none
   int jobs = 1;            ///< tasks at a time
   filters::FilterOptions filters;

@@ -5,14 +5,19 @@
 #include <pcl/surface/filmsticking_pp.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <new>
+#include <optional>
 #include <utility>
 
 #include "common/stop_signal.h"
 #include "common/summary.h"
+#include "filmsticking/normals.h"
 #include "filters/filter_chain.h"
 #include "io/files.h"
 #include "io/formats.h"
@@ -42,8 +47,24 @@ io::Cloud read_input(const std::string& path, const CommandLine& command) {
   return cloud;
 }
 
+void check_points_out(const Task& task, const std::string& path) {
+  const auto same = [&](const std::string& other) {
+    std::error_code error;
+    return fs::weakly_canonical(path, error) == fs::weakly_canonical(other, error);
+  };
+  if (same(task.output)) throw io::IoError("the points and the mesh cannot be one file");
+  if (same(task.input)) throw io::IoError("it is the input");
+
+  if (!io::can_write_cloud(path))
+    throw io::IoError("its extension is none of " + io::extensions_of(io::written_cloud_formats()));
+  io::check_writable(path);
+}
+
 /// Refuses an output that could not be written, before the work.
 void check_output(const Task& task, const CommandLine& command) {
+  const bool is_ply =
+      task.output == kStandardStream ? command.to == "ply" : io::extension_of(task.output) == ".ply";
+  if (command.normals && !is_ply) throw io::IoError("--normals needs a .ply, which alone keeps them");
   if (task.output == kStandardStream) {
     if (isatty(STDOUT_FILENO) && command.to != "obj")
       throw io::IoError("it is a terminal; send it to a file or a program");
@@ -76,6 +97,8 @@ io::Cloud read_and_filter(const Task& task, const CommandLine& command, TaskResu
   }
   facts.read = static_cast<std::int64_t>(io::size_of(cloud.points));
   with_file(facts.output, [&] { check_output(task, command); });
+  if (!command.points_out.empty())
+    with_file(command.points_out, [&] { check_points_out(task, command.points_out); });
   if (!command.filters.any()) return cloud;
   try {
     cloud.points = filters::filter(cloud.points, command.filters);
@@ -103,33 +126,66 @@ pcl::PCLPointCloud2 coloured_by_stability(const pcl::PCLPointCloud2& vertices, c
   return io::make_cloud(io::positions_of(vertices), colours);
 }
 
-/// Fills `result` but for its gaps; returns the vertices with all fields of the cloud.
-pcl::PCLPointCloud2 reconstruct(io::Cloud cloud, const CommandLine& command, const Progress& progress,
-                                StepDump& dump, Result& result) {
+/// The mesh's vertices and the cloud's points, with all fields of the cloud.
+struct Reconstructed {
+  pcl::PCLPointCloud2 vertices;
+  pcl::PCLPointCloud2::ConstPtr points;
+  std::vector<Normal> normals;  // of `points`; empty unless they are asked for
+};
+
+/// Of the box of the finite points.
+double diagonal_of(const pcl::PCLPointCloud2& cloud) {
+  Point low, high;
+  low.fill(std::numeric_limits<double>::infinity()), high.fill(-low[0]);
+  for (const Point& p : io::positions_of(cloud)) {
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) continue;
+    for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+  }
+  return low[0] > high[0] ? 0 : std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}
+
+/// Fills `result` but for its gaps.
+Reconstructed reconstruct(io::Cloud cloud, const CommandLine& command, const Progress& progress,
+                          StepDump& dump, Result& result) {
   pcl::FilmstickingPP<pcl::PointXYZ> filmsticking;
   filmsticking.useNoViewPoint();  // but for one that is given
   Options options = command.options;
   if (!options.viewpoint) options.viewpoint = cloud.viewpoint, options.trust_viewpoint = false;
+  options.max_hole = command.max_hole.value * (command.max_hole.is_share ? diagonal_of(cloud.points) : 1);
   filmsticking.setOptions(options);
   filmsticking.setProgressCallback(progress);
   filmsticking.setCancelFlag(&stop_asked);
   if (!command.dump_steps.empty())
     filmsticking.setStepCallback([&dump](int step, const Mesh& film) { dump.write(step, film); });
-  filmsticking.setInputBlob(std::make_shared<pcl::PCLPointCloud2>(std::move(cloud.points)));
-  pcl::PCLPointCloud2 vertices;
-  filmsticking.reconstruct(vertices, result.triangles);
+  filmsticking.setComputeNormals(command.normals || !command.points_out.empty());
+  Reconstructed made;
+  made.points = std::make_shared<pcl::PCLPointCloud2>(std::move(cloud.points));
+  filmsticking.setInputBlob(made.points);
+  filmsticking.reconstruct(made.vertices, result.triangles);
   result.status = filmsticking.getStatus();
   result.message = filmsticking.getStatusMessage();
   result.report = filmsticking.getReport();
   result.vertices = filmsticking.getVertexIndices();
   result.stability = filmsticking.getFaceStability();
-  return vertices;
+  made.normals.reserve(filmsticking.getNormals().size());
+  for (const pcl::Normal& n : filmsticking.getNormals())
+    made.normals.push_back({n.normal_x, n.normal_y, n.normal_z});
+  return made;
+}
+
+pcl::PCLPointCloud2 with_normals_of(const pcl::PCLPointCloud2& vertices, const Result& result,
+                                    const std::vector<Normal>& of_points) {
+  std::vector<Normal> normals;
+  for (const std::int32_t i : result.vertices) normals.push_back(of_points[static_cast<std::size_t>(i)]);
+  return io::with_normals(vertices, normals);
 }
 
 void run(const Task& task, const CommandLine& command, const Progress& progress, TaskResult& outcome) {
   io::Cloud cloud = read_and_filter(task, command, outcome);
   StepDump dump(command.dump_steps);
-  pcl::PCLPointCloud2 vertices = reconstruct(std::move(cloud), command, progress, dump, outcome.result);
+  const std::optional<Point> viewpoint = cloud.viewpoint;
+  Reconstructed made = reconstruct(std::move(cloud), command, progress, dump, outcome.result);
+  pcl::PCLPointCloud2& vertices = made.vertices;
   outcome.reached = true;
   if (!dump.error().empty()) throw io::IoError(dump.error());
   outcome.interrupted = outcome.result.status == Status::Cancelled;
@@ -138,6 +194,13 @@ void run(const Task& task, const CommandLine& command, const Progress& progress,
   if (command.options.stability)
     vertices =
         with_file(outcome.facts.input, [&] { return coloured_by_stability(vertices, outcome.result); });
+  if (command.normals)
+    vertices = with_file(outcome.facts.input,
+                         [&] { return with_normals_of(vertices, outcome.result, made.normals); });
+  if (!command.points_out.empty())
+    with_file(command.points_out, [&] {
+      io::write_cloud(command.points_out, {io::with_normals(*made.points, made.normals), viewpoint});
+    });
   with_file(outcome.facts.output, [&] { write_output(task, command, vertices, outcome.result.triangles); });
 }
 

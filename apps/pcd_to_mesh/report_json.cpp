@@ -15,6 +15,11 @@ Json to_json(const StepRecord& step) {
 
 Json to_json(const RoomSeconds& stage) { return {{"room", stage.room}, {"seconds", stage.seconds}}; }
 
+Json to_json(const Hole& hole) {
+  return {{"length", hole.length}, {"diameter", hole.diameter}, {"area", hole.area},
+          {"centre", hole.centre}, {"edges", hole.edges},       {"closed", hole.closed}};
+}
+
 template <typename Record>
 Json to_list(const std::vector<Record>& records) {
   Json list = Json::array();
@@ -49,6 +54,7 @@ std::string report_json(const Result& result, const RunFacts& facts) {
                      {"genus", report.genus},
                      {"boundary_edges", report.boundary_edges},
                      {"boundary_loops", report.boundary_loops},
+                     {"holes", to_list(report.holes)},
                      {"closed", report.closed},
                      {"manifold", report.manifold},
                      {"stability", report.stability},

@@ -23,6 +23,7 @@ struct RunFacts {
 ///   sites, non_finite, duplicates: as in Report interpolated, interpolated_share (of the sites, 0 to 1),
 ///   outliers, inserted vertices, triangles, components, genus, boundary_edges, boundary_loops, closed,
 ///   manifold: the mesh rounds; steps: a list of round, attracted, virtual_left, weighted, held, seconds
+///   holes: a list of length, diameter, area, centre, edges, closed, as in Hole
 ///   rooms: a list of room, seconds
 ///   reconstruction_seconds, seconds (with reading and writing), peak_memory_bytes
 std::string report_json(const Result& result, const RunFacts& facts);

@@ -75,7 +75,7 @@ Mesh sampled_part(const Mesh& mesh, const CloudSpec& spec) {
   return part;
 }
 
-std::vector<Point> make_cloud(const Mesh& mesh, const CloudSpec& spec) {
+std::vector<Sample> make_samples(const Mesh& mesh, const CloudSpec& spec) {
   check(spec);
   SurfaceSampler surface(mesh);
   Random random(spec.seed);
@@ -105,23 +105,33 @@ std::vector<Point> make_cloud(const Mesh& mesh, const CloudSpec& spec) {
       for (int k = 0; k < 3; ++k) p[k] += sigma * random.gauss();
     return rounded(frame * p);
   };
-  std::vector<Point> points;
-  points.reserve(total);
   std::set<Point> seen;
-  for (const Sample& sample : samples) {
+  for (Sample& sample : samples) {
     Point p = placed(sample.position);
     // A mesh far from the origin has few floats: in the end a repeated point is better than no end.
-    for (int i = 0; whole && i < 100 && seen.count(p) > 0; ++i) p = placed(surface.draw(random).position);
+    for (int i = 0; whole && i < 100 && seen.count(p) > 0; ++i) {
+      const Sample other = surface.draw(random);
+      sample.normal = other.normal;
+      p = placed(other.position);
+    }
     seen.insert(p);
-    points.push_back(p);
+    sample = {Vec3(p[0], p[1], p[2]), frame.linear() * sample.normal};
   }
-  while (points.size() < total) {
+  while (samples.size() < total) {
     Vec3 p;
     for (int k = 0; k < 3; ++k)
       p[k] = surface.low()[k] + random.uniform() * (surface.high()[k] - surface.low()[k]);
-    points.push_back(rounded(frame * p));
+    const Point place = rounded(frame * p);
+    samples.push_back({Vec3(place[0], place[1], place[2]), Vec3::Zero()});
   }
-  random.shuffle(points);
+  random.shuffle(samples);
+  return samples;
+}
+
+std::vector<Point> make_cloud(const Mesh& mesh, const CloudSpec& spec) {
+  std::vector<Point> points;
+  for (const Sample& sample : make_samples(mesh, spec))
+    points.push_back({sample.position.x(), sample.position.y(), sample.position.z()});
   return points;
 }
 

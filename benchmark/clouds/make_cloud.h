@@ -5,6 +5,7 @@
 
 #include "cloud_spec.h"
 #include "filmsticking/types.h"
+#include "sample.h"
 
 namespace filmsticking::bench {
 
@@ -12,6 +13,9 @@ namespace filmsticking::bench {
 /// outliers by chance. Throws std::invalid_argument for a mesh without area or a spec out of its
 /// ranges.
 std::vector<Point> make_cloud(const Mesh& mesh, const CloudSpec& spec);
+
+/// The same with the normal of the face that each point was drawn from; zero for outliers and vertices.
+std::vector<Sample> make_samples(const Mesh& mesh, const CloudSpec& spec);
 
 /// The surface that the points are drawn from: the mesh, or its part that the depth camera sees.
 Mesh sampled_part(const Mesh& mesh, const CloudSpec& spec);

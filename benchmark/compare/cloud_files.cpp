@@ -23,14 +23,14 @@ std::vector<Point> finite_points(const std::vector<Point>& points) {
   return finite;
 }
 
-/// A file's points, and its triangles if it has some.
-Mesh read_shape(const std::string& path) {
-  const pcl::PolygonMesh model = io::read_model(path);
+}  // namespace
+
+Mesh read_input(const Input& input, std::int64_t points) {
+  if (input.path.empty()) return make_shape(input.name, points);
+  const pcl::PolygonMesh model = io::read_model(input.path);
   if (io::size_of(model.cloud) == 0) throw io::IoError("there are no points in it");
   return {io::positions_of(model.cloud), io::triangles_of(model.polygons)};
 }
-
-}  // namespace
 
 Row cloud_row(const Input& input, const CloudSpec& spec) {
   Row row;
@@ -46,7 +46,7 @@ CloudFiles prepare_cloud(const Input& input, const CloudSpec& spec, bool thin_cl
   CloudFiles files{folder + "/cloud.ply", "", cloud_row(input, spec)};
   std::filesystem::create_directories(folder);
   try {
-    const Mesh mesh = input.path.empty() ? make_shape(input.name, spec.points) : read_shape(input.path);
+    const Mesh mesh = read_input(input, spec.points);
     std::vector<Point> points;
     if (mesh.triangles.empty()) {
       points = finite_points(mesh.positions);

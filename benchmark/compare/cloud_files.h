@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "clouds/cloud_spec.h"
+#include "filmsticking/types.h"
 #include "input.h"
 #include "row.h"
 
@@ -21,6 +23,10 @@ struct CloudFiles {
 /// Writes into `folder`. Throws std::runtime_error.
 CloudFiles prepare_cloud(const Input& input, const CloudSpec& spec, bool thin_clouds,
                          const std::string& folder);
+
+/// The mesh, or the points, of a file or a shape; `points`: the number for which a shape has its size. Throws
+/// io::IoError, std::invalid_argument.
+Mesh read_input(const Input& input, std::int64_t points);
 
 /// The columns of `prepare_cloud` for a mesh or a shape, without the work.
 Row cloud_row(const Input& input, const CloudSpec& spec);

@@ -140,7 +140,8 @@ CommandLine::Mode mode_of(const std::string& word) {
   if (word == "sheet") return CommandLine::Mode::Sheet;
   if (word == "sample") return CommandLine::Mode::Sample;
   if (word == "scans") return CommandLine::Mode::Scans;
-  throw UsageError("\"" + word + "\" is none of quality, speed, sheet, sample, scans; see --help");
+  if (word == "normals") return CommandLine::Mode::Normals;
+  throw UsageError("\"" + word + "\" is none of quality, speed, sheet, sample, scans, normals; see --help");
 }
 
 void read_lists(CommandLine& command, const Lists& lists) {
@@ -205,7 +206,8 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   add_options(arguments, command, lists);
   if (!arguments.parse(argc, argv)) return command;
   const std::vector<std::string>& words = arguments.files();
-  if (words.empty()) throw UsageError("quality, speed, sheet, sample or scans must come first; see --help");
+  if (words.empty())
+    throw UsageError("quality, speed, sheet, sample, scans or normals must come first; see --help");
   command.mode = mode_of(words[0]);
   command.inputs.assign(words.begin() + 1, words.end());
   read_lists(command, lists);
@@ -223,6 +225,7 @@ std::string usage() {
        compare sheet INPUT.. -o OUT.png        pictures: a row a cloud, a column a method
        compare sample INPUT -o CLOUD.ply       the cloud alone
        compare scans [options]                 kinds of scans whose right answer is known
+       compare normals INPUT.. [options]       signs of oriented normals: ours, PCL's and CGAL's
 
 An INPUT is a mesh to sample, a cloud, or one of the shapes that the README lists.
 )" + arguments.help();

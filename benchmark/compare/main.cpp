@@ -5,6 +5,7 @@
 #include "clouds/scan_kinds.h"
 #include "command_line.h"
 #include "common/program.h"
+#include "normals.h"
 #include "programs.h"
 #include "quality.h"
 #include "sample.h"
@@ -37,6 +38,8 @@ void run(const CommandLine& command) {
       return write_sample(command);
     case CommandLine::Mode::Scans:
       return compare_scans(command);
+    case CommandLine::Mode::Normals:
+      return compare_normals(command);
   }
 }
 

@@ -76,6 +76,13 @@ struct Options {
   /// sensor of a depth image, else the side on which the largest component is convex.
   bool open_boundary = false;
 
+  /// More than 0: the result may have a boundary, but rims whose diameter, that of the smallest ball around
+  /// them, is at most this get a lid. In the unit of the points. A lid has no new vertices, and avoids other
+  /// faces where it can. A rim stays open only where a lid would break the manifold or lie on the surface, or
+  /// that is very long and tangled. Report::holes lists all rims.
+  /// The diagonal of the points' box, or more: the result is closed, as without open_boundary.
+  double max_hole = 0;
+
   /// Sensor position, in the unit and frame of the points. What lies between a point and its sensor is
   /// outside, what lies just behind the point is inside; an open result shows its front to the sensor. Sight
   /// that more than a tenth of its lines contradict is not used. Ignored unless the method is Labelling.
@@ -131,6 +138,9 @@ struct Options {
 inline Method method_of(const Options& options) {
   return options.initial_surface == InitialSurface::Carve ? options.method : Method::Film;
 }
+
+/// May the result have a boundary?
+inline bool may_be_open(const Options& options) { return options.open_boundary || options.max_hole > 0; }
 
 /// The surface that a film starts from, by its present or its former name.
 inline FilmStart film_start_of(const Options& options) {

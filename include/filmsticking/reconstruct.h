@@ -40,7 +40,8 @@ struct Result {
 ///  3. Oriented: neighbouring faces agree, and every outermost component encloses positive volume.
 ///  4. Interpolating: vertices are input points, given by index; no position is computed.
 ///  5. Deterministic: the same points give the same result, for any number of threads.
-///  6. With Options::open_boundary, instead of 1: every edge has one or two faces; instead of 2: the faces
+///  6. With Options::open_boundary or max_hole, instead of 1: every edge has one or two faces; instead of 2:
+///  the faces
 ///     around every vertex form one ring or one fan.
 ///  7. A failure is a status and a sentence with an empty mesh; nothing is thrown.
 ///

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "types.h"
+
 namespace filmsticking {
 
 /// What one film step did.
@@ -24,6 +26,16 @@ struct StepRecord {
 struct RoomSeconds {
   std::string room;    ///< name of the stage, as in Execution::progress
   double seconds = 0;  ///< in all its visits
+};
+
+/// A hole of a surface: a loop of edges with one face. Lengths in the points' unit.
+struct Hole {
+  double length = 0;    ///< of its rim
+  double diameter = 0;  ///< of the smallest ball around its rim
+  double area = 0;      ///< of its rim, projected along its mean normal
+  Point centre{};       ///< mean place of its rim
+  std::int64_t edges = 0;
+  bool closed = false;  ///< it has got a lid (Options::max_hole)
 };
 
 /// What a reconstruction did. After a failure, filled up to it.
@@ -46,8 +58,9 @@ struct Report {
   std::int64_t triangles = 0;       ///< of the result
   std::int64_t components = 0;      ///< of the result
   std::int64_t genus = 0;           ///< sum over the components
-  std::int64_t boundary_edges = 0;  ///< edges with one face; 0 unless Options::open_boundary
+  std::int64_t boundary_edges = 0;  ///< edges with one face; 0 unless may_be_open()
   std::int64_t boundary_loops = 0;  ///< loops of such edges
+  std::vector<Hole> holes;          ///< of an open surface, also those that have got a lid; the widest first
   double stability = 0;             ///< mean of Result::stability; 0 where that is empty
   int rounds = 0;                   ///< rounds of field and cut
   bool closed = false;              ///< checked on the result: every edge has two faces

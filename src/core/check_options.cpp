@@ -30,6 +30,8 @@ void check_options(const Options& options, std::size_t points) {
   require(options.max_steps >= 1, "at least one film step is needed");
   require(options.max_rounds >= 0, "the number of rounds must not be negative");
   require(options.threads >= 0, "the number of threads must not be negative");
+  require(std::isfinite(options.max_hole) && options.max_hole >= 0,
+          "the largest hole to close must be a finite length that is not negative");
   require(options.max_memory >= 0, "the memory allowed must not be negative");
   require(!options.viewpoints || options.viewpoints->size() == points,
           "the number of viewpoints must be that of the points");

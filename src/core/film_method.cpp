@@ -147,7 +147,7 @@ std::vector<double> FilmMethod::winding_belief(const Surface& film) const {
 // winding number or Poisson's equation on the tetrahedra the belief.
 Candidate FilmMethod::without_dangling(const Candidate& film) {
   cutter_.use_normals_of(film.surface);
-  const bool open = options_.open_boundary;
+  const bool open = may_be_open(options_);
   if (options_.field == FieldMethod::Poisson) return cutter_.cut_field(belief_of(film.labels), open);
   monitor_.enter("field", monitor_.share());
   return cutter_.cut(winding_belief(film.surface), kConviction, open);

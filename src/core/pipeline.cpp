@@ -58,7 +58,7 @@ Pipeline::Pipeline(const PointsView& points, const SiteSet& sites, const SiteGeo
       monitor_(monitor),
       report_(report),
       cutter_(points, sites, geometry, options, monitor),
-      open_(options.open_boundary),
+      open_(may_be_open(options)),
       guessed_(!options.trust_viewpoint && !options.viewpoints && !options.view_direction) {}
 
 FoundSurface Pipeline::run(Tetrahedra tetrahedra) {

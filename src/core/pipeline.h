@@ -25,7 +25,7 @@ class Pipeline {
   Pipeline(const PointsView& points, const SiteSet& sites, const SiteGeometry& geometry,
            const Options& options, Monitor& monitor, Report& report);
 
-  /// Returns a closed manifold; with Options::open_boundary it may have a boundary. Empty if no surface is
+  /// Returns a closed manifold; with may_be_open() it may have a boundary. Empty if no surface is
   /// found. Once only. `tetrahedra`: the Delaunay triangulation of the perturbed sites.
   FoundSurface run(Tetrahedra tetrahedra);
 
@@ -59,7 +59,7 @@ class Pipeline {
   Cutter cutter_;
   std::vector<Vec3> viewpoints_;  // of the sites, where sight is used
   bool inside_ = false;           // the sensors are inside the hull
-  const bool open_;               // Options::open_boundary
+  const bool open_;               // may_be_open()
   const bool guessed_;            // the viewpoint is a guess
 };
 

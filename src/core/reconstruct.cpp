@@ -50,8 +50,15 @@ Tetrahedra triangulation_of(const SiteSet& sites, const TriangulationLimits& lim
   }
 }
 
+// Every hole is to be closed: then the result is the closed one.
+bool closes_all(const Options& options, const SiteSet& sites) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : sites.perturbed) box.extend(p);
+  return options.max_hole >= sites.side * box.diagonal().norm();
+}
+
 // Runs all stages in order. Throws Failure, Cancelled or CallbackThrew.
-void run(const PointsView& points, const Options& options, const Execution& execution, Result& result) {
+void run(const PointsView& points, Options options, const Execution& execution, Result& result) {
   Report& report = result.report;
   report.points = static_cast<std::int64_t>(points.size());
   check_options(options, points.size());
@@ -60,6 +67,7 @@ void run(const PointsView& points, const Options& options, const Execution& exec
 
   monitor.enter("sites", 0);
   SiteSet sites = sites_of(points, options, report);
+  if (closes_all(options, sites)) options.max_hole = 0, options.open_boundary = false;
   const TriangulationLimits limits = triangulation_limits(report, options, monitor.cancel());
 
   monitor.enter("triangulation", 0.02);
@@ -71,19 +79,21 @@ void run(const PointsView& points, const Options& options, const Execution& exec
   // An open depth image needs no tetrahedra.
   Pipeline pipeline(points, sites, geometry, options, monitor, report);
   std::optional<FoundSurface> found;
-  if (options.open_boundary && method_of(options) == Method::Labelling) found = pipeline.visible_surface();
+  const bool may_open = may_be_open(options);
+  if (may_open && method_of(options) == Method::Labelling) found = pipeline.visible_surface();
   if (!found) {
     monitor.enter("triangulation", monitor.share());
     found = pipeline.run(triangulation_of(sites, limits, report, options));
   }
 
-  const FinishOptions finish_options{options.open_boundary, options.sharp_edges,
+  const FinishOptions finish_options{may_open, options.sharp_edges,
                                      found->viewpoint ? &*found->viewpoint : nullptr,
-                                     found->viewpoints.empty() ? nullptr : &found->viewpoints};
+                                     found->viewpoints.empty() ? nullptr : &found->viewpoints,
+                                     options.max_hole / sites.side};
   FinishedSurface finished =
       finish(std::move(found->surface), points, sites, geometry, finish_options, monitor);
   // Few points, mostly on a plane: a closed surface may be flatter than the perturbation.
-  if (!finished.usable && !options.open_boundary) {
+  if (!finished.usable && !may_open) {
     found->stability.clear();
     finished = finish(pipeline.around_one_tetrahedron(), points, sites, geometry, finish_options, monitor);
   }
@@ -91,7 +101,7 @@ void run(const PointsView& points, const Options& options, const Execution& exec
   if (!finished.usable) throw Failure(Status::NoSurface);
 
   monitor.enter("result", 0.97);
-  write_result(finished, sites, geometry, found->stability, options.open_boundary, result);
+  write_result(finished, sites, geometry, found->stability, may_open, result);
   if (method_of(options) == Method::Labelling &&
       2 * report.interpolated < static_cast<std::int64_t>(sites.size()))
     throw Failure(Status::NoSurface,

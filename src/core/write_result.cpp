@@ -82,6 +82,23 @@ void describe_result(const SurfaceTopology& topology, Result& result) {
                        report.boundary_loops);
 }
 
+// In the caller's unit; the widest first.
+std::vector<Hole> holes_of(const FinishedSurface& finished, const SiteSet& sites) {
+  std::vector<Hole> holes;
+  for (const Opening& opening : finished.openings) {
+    std::vector<Vec3> corners;
+    for (const Index v : opening.rim) corners.push_back(finished.surface.positions[v]);
+    Hole hole = measure_rim(corners);
+    hole.length *= sites.side, hole.diameter *= sites.side, hole.area *= sites.side * sites.side;
+    hole.centre = sites.to_input({hole.centre[0], hole.centre[1], hole.centre[2]});
+    hole.closed = opening.closed;
+    holes.push_back(hole);
+  }
+  std::stable_sort(holes.begin(), holes.end(),
+                   [](const Hole& a, const Hole& b) { return a.diameter > b.diameter; });
+  return holes;
+}
+
 }  // namespace
 
 void write_result(const FinishedSurface& finished, const SiteSet& sites, const SiteGeometry& geometry,
@@ -90,6 +107,7 @@ void write_result(const FinishedSurface& finished, const SiteSet& sites, const S
   sort_triangles(turned, face_gaps(finished.surface, geometry), least_of_corners(finished.surface, stability),
                  result);
   describe_result(finished.topology, result);
+  result.report.holes = holes_of(finished, sites);
   const Report& report = result.report;
   if (result.vertices.size() != finished.surface.site.size() || !report.manifold ||
       !(report.closed || may_be_open))

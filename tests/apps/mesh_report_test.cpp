@@ -542,7 +542,8 @@ const std::set<std::string> kMeshMembers{"vertices",
                                          "oriented",
                                          "outward",
                                          "area",
-                                         "volume"};
+                                         "volume",
+                                         "holes"};
 
 TEST(MeshReportProgram, WritesJson) {
   const ScratchFolder folder;
@@ -590,8 +591,25 @@ TEST(MeshReportProgram, WritesATable) {
     if (count == 0) column = value;
     EXPECT_EQ(value, column) << line;
   }
-  EXPECT_EQ(count, 24u);
+  EXPECT_EQ(count, 26u);
   EXPECT_NE(outcome.out.find("no, 3 boundary edges\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("diameter 1.414, length 3.414, area 0.5,"), std::string::npos) << outcome.out;
+}
+
+TEST(MeshReportProgram, ListsHolesTheWidestFirst) {
+  const ScratchFolder folder;
+  Model open = box();
+  open.triangles.erase(open.triangles.begin() + 4, open.triangles.begin() + 6);  // a side of the box
+  open.triangles.erase(open.triangles.begin());                                  // half of another
+  io::write_mesh(folder / "open.ply", open);
+  const Json holes = Json::parse(mesh_report({folder / "open.ply", "--json"}).out).at("holes");
+  ASSERT_EQ(holes.size(), 2u);
+  EXPECT_NEAR(holes[0].at("diameter").get<double>(), std::sqrt(2), 1e-9);
+  EXPECT_EQ(holes[0].at("edges").get<int>() + holes[1].at("edges").get<int>(), 7);
+  double area = 0;
+  for (const Json& hole : holes) area += hole.at("area").get<double>();
+  EXPECT_DOUBLE_EQ(area, 1.5);
+  EXPECT_EQ(holes[0].at("centre").size(), 3u);
 }
 
 TEST(MeshReportProgram, AMeshWithoutFacesHasAReport) {

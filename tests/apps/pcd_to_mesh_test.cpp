@@ -193,6 +193,93 @@ TEST(PcdToMesh, StabilityIsAColourAndInTheReport) {
   EXPECT_GT(read_json(folder / "spot.json").at("stability").get<double>(), 0.8);
 }
 
+/// The normals of all points; empty where the file has none.
+std::vector<Point> normals_in(const pcl::PCLPointCloud2& cloud) {
+  std::vector<Point> normals;
+  const pcl::PCLPointField* x = io::find_field(cloud, "normal_x");
+  for (std::size_t i = 0; x != nullptr && i < io::size_of(cloud); ++i) {
+    float n[3];
+    std::memcpy(n, io::bytes_of(cloud, i) + x->offset, sizeof n);
+    normals.push_back({n[0], n[1], n[2]});
+  }
+  return normals;
+}
+
+TEST(PcdToMesh, NormalsOfAllPointsAndOfTheVerticesAreWritten) {
+  const ScratchFolder folder;
+  Model ball;
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 2000; ++i) {
+    const double x = normal(random), y = normal(random), z = normal(random), r = std::hypot(x, y, z);
+    ball.positions.push_back({x / r, y / r, z / r});
+  }
+  ball.positions.push_back({0, 0, 9});  // an outlier
+  io::write_mesh(folder / "ball.ply", ball);
+  for (const std::string kind : {"ply", "pcd"}) {
+    const std::string points = folder / ("points." + kind);
+    const Outcome outcome =
+        pcd_to_mesh({folder / "ball.ply", folder / "mesh.ply", "--normals", "--points-out", points});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const io::Cloud cloud = io::read_cloud(points);
+    EXPECT_EQ(io::positions_of(cloud.points), ball.positions);
+    const std::vector<Point> normals = normals_in(cloud.points);
+    ASSERT_EQ(normals.size(), ball.positions.size());
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+      const Point& p = ball.positions[i];
+      const Point& n = normals[i];
+      EXPECT_GT(p[0] * n[0] + p[1] * n[1] + p[2] * n[2], 0.9);
+    }
+  }
+  EXPECT_EQ(normals_in(io::read_mesh(folder / "mesh.ply").cloud).size(), 2000U);
+  ASSERT_EQ(pcd_to_mesh({folder / "ball.ply", folder / "mesh.ply", "--points-out", folder / "p.xyz"}).status,
+            0);
+  std::ifstream text(folder / "p.xyz");
+  double x[6];
+  for (const Point& p : ball.positions) {
+    for (double& number : x) text >> number;
+    EXPECT_EQ((Point{x[0], x[1], x[2]}), p);
+    EXPECT_GT(p[0] * x[3] + p[1] * x[4] + p[2] * x[5], 0.9);
+  }
+  EXPECT_TRUE(normals_in(io::read_mesh(folder / "mesh.ply").cloud).empty());  // not asked for
+}
+
+TEST(PcdToMesh, HolesAreClosedUpToADiameter) {
+  const ScratchFolder folder;
+  Model ball;
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  while (ball.positions.size() < 6000) {
+    const double x = normal(random), y = normal(random), z = normal(random), r = std::hypot(x, y, z);
+    if (std::hypot(x, y) > (z > 0 ? 0.3 : 0.6) * r) ball.positions.push_back({x / r, y / r, z / r});
+  }
+  io::write_mesh(folder / "ball.ply", ball);
+  // The diagonal of the box is about 3.4.
+  const std::pair<const char*, int> cases[] = {{"0.4", 2}, {"0.9", 1}, {"12%", 2}, {"27%", 1}, {"50%", 0}};
+  for (const auto& [most, open] : cases) {
+    SCOPED_TRACE(most);
+    const Outcome outcome = pcd_to_mesh({folder / "ball.ply", folder / "mesh.ply", "--close-holes", most,
+                                         "--report", folder / "report.json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const Json report = read_json(folder / "report.json");
+    EXPECT_EQ(report.at("boundary_loops").get<int>(), open);
+    ASSERT_EQ(report.at("holes").size(), 2u);
+    EXPECT_EQ(report.at("holes")[0].at("closed").get<bool>(), open == 0);
+    EXPECT_EQ(outcome.out.find("lids") == std::string::npos, open == 2) << outcome.out;
+  }
+  for (const char* wrong : {"0", "-1", "x", "", "1,2", "inf", "%"})
+    EXPECT_EQ(pcd_to_mesh({folder / "ball.ply", folder / "m.ply", "--close-holes", wrong}).status, 2)
+        << wrong;
+}
+
+TEST(PcdToMesh, NormalsThatCannotBeWrittenAreRefusedBeforeTheWork) {
+  const ScratchFolder folder;
+  expect_failure({kBunny, folder / "m.obj", "--normals"}, folder, 1);
+  expect_failure({kBunny, folder / "m.ply", "--points-out", folder / "p.obj"}, folder, 1);
+  expect_failure({kBunny, folder / "m.ply", "--points-out", folder / "m.ply"}, folder, 1);
+  EXPECT_EQ(pcd_to_mesh({kBunny, kSpot, folder / "", "--points-out", folder / "p.ply"}).status, 2);
+}
+
 TEST(PcdToMesh, ColoursGoIntoEveryFormatThatHasThem) {
   const ScratchFolder folder;
   Model cloud = io::read_cloud(kBunny);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compare/csv.h"
+#include "compare/normals.h"
 #include "io/formats.h"
 #include "support/run_program.h"
 #include "support/scratch_folder.h"
@@ -65,6 +66,27 @@ double number(const Fields& row, const std::string& column) {
     return -1;
   }
   return std::strtod(found->second.c_str(), nullptr);
+}
+
+TEST(Compare, NormalsOfASphereAllHaveTheRightSign) {
+  const ScratchFolder folder;
+  const Outcome outcome = compare(
+      {"normals", "sphere", "--points", "1K", "--csv", folder / "out.csv", "--markdown", folder / "out.md"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<Fields> rows = read_rows(folder / "out.csv");
+  for (const char* method : {"ours", "cgal-mst", "pcl-centroid"}) {
+    const Fields row = find_row(rows, "sphere", method);
+    EXPECT_EQ(number(row, "right"), 1);
+    EXPECT_LT(number(row, "angle"), 15);
+  }
+  EXPECT_NE(read_text(folder / "out.md").find("100.0 %"), std::string::npos);
+}
+
+TEST(Normals, SignsAreCountedWhereTheTruthIsKnown) {
+  const std::vector<Sample> samples = {{Vec3(0, 0, 0), Vec3(0, 0, 1)},
+                                       {Vec3(0, 0, 0), Vec3(1, 0, 0)},
+                                       {Vec3(0, 0, 0), Vec3(0, 0, 0)}};  // an outlier
+  EXPECT_EQ(right_signs({{0, 0.9, 0.1}, {-1, 0, 0}, {1, 0, 0}}, samples), 0.5);
 }
 
 TEST(Compare, TwoModelsThreeMethods) {

@@ -20,10 +20,12 @@ fail() { echo "$1" >&2; exit 1; }
 
 symbols core | grep -q '^filmsticking::reconstruct(' || fail "reconstruct() is not exported"
 symbols core | grep -q '^filmsticking::describe(' || fail "describe() is not exported"
+symbols core | grep -q '^filmsticking::point_normals(' || fail "point_normals() is not exported"
+symbols core | grep -q '^filmsticking::find_holes(' || fail "find_holes() is not exported"
 symbols core | grep -q '^filmsticking::Options::paper(' || fail "Options::paper() is not exported"
 symbols core | grep -q '^filmsticking::Options::rd(' || fail "Options::rd() is not exported"
 # Templates of the standard library and of Boost's exceptions may stand in any C++ library.
-others=$(symbols core | grep -E '(^|[ <(])(filmsticking|CGAL|Eigen|tbb)::' | grep -vE '^filmsticking::(reconstruct|describe|Options::paper|Options::rd)\(' |
+others=$(symbols core | grep -E '(^|[ <(])(filmsticking|CGAL|Eigen|tbb)::' | grep -vE '^filmsticking::(reconstruct|describe|point_normals|find_holes|Options::paper|Options::rd)\(' |
   grep -vE '^(void )?std::|^(typeinfo|vtable)' || true)
 [ -z "$others" ] || fail "exported by mistake: $others"
 if [[ $libraries == *libfilmsticking_pcl* ]]; then

@@ -21,6 +21,13 @@ for file in $(find "$out/moved" -type f -path '*/bin/*' -o -type f -name '*.so.*
     exit 1
   fi
 done
+packages="$out/moved/lib/python3/dist-packages"
+if [ -d "$packages" ]; then
+  cd /  # not in a folder with a package of this name
+  PYTHONPATH=$packages PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -c '
+import numpy, filmsticking
+assert filmsticking.reconstruct(numpy.random.default_rng(1).normal(size=(100, 3))).report.closed'
+fi
 if [ -x "$out/moved/bin/pcd_to_mesh" ]; then
   "$out/moved/bin/pcd_to_mesh" --help >/dev/null
 fi

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <pcl/conversions.h>
 
+#include <cmath>
 #include <random>
 
 #include "clouds.h"
@@ -21,6 +22,40 @@ TEST(FilmstickingPP, ACopyIsAnObjectOfItsOwn) {
   EXPECT_EQ(run(second).points.size(), 300u);
 }
 
+TEST(FilmstickingPP, NormalsAreOfAllInputPointsIfAskedFor) {
+  const auto cloud = make_sphere<PointXYZ>(600);
+  cloud->push_back(PointXYZ(std::nanf(""), 0, 0));
+  cloud->width = 1, cloud->height = 601, cloud->is_dense = false;
+  Class filmsticking;
+  filmsticking.setInputCloud(cloud);
+  pcl::IndicesPtr half(new pcl::Indices);
+  for (int i = 0; i < 601; i += 2) half->push_back(i);
+  filmsticking.setIndices(half);
+  run(filmsticking);
+  EXPECT_TRUE(filmsticking.getNormals().empty());
+  filmsticking.setComputeNormals(true);
+  run(filmsticking);
+  const pcl::PointCloud<pcl::Normal> normals = filmsticking.getNormals();
+  ASSERT_EQ(normals.size(), 601u);
+  EXPECT_EQ(normals.height, 601u);
+  EXPECT_FALSE(normals.is_dense);
+  for (std::size_t i = 0; i < 600; ++i)
+    EXPECT_GT(normals[i].getNormalVector3fMap().dot((*cloud)[i].getVector3fMap().normalized()), 0.9F);
+  EXPECT_TRUE(std::isnan(normals[600].normal_x));
+
+  pcl::PCLPointCloud2::Ptr blob(new pcl::PCLPointCloud2);
+  pcl::toPCLPointCloud2(*cloud, *blob);
+  filmsticking.setInputBlob(blob);
+  run(filmsticking);
+  ASSERT_EQ(filmsticking.getNormals().size(), 601u);
+  for (std::size_t i = 0; i < 600; ++i)
+    EXPECT_EQ(filmsticking.getNormals()[i].getNormalVector3fMap(), normals[i].getNormalVector3fMap());
+
+  filmsticking.setIndices(pcl::IndicesPtr(new pcl::Indices{0, 1, 2}));
+  run(filmsticking);
+  EXPECT_TRUE(filmsticking.getNormals().empty());  // of no surface
+}
+
 TEST(FilmstickingPP, OptionsAreKept) {
   Class filmsticking;
   const Options defaults;
@@ -34,6 +69,7 @@ TEST(FilmstickingPP, OptionsAreKept) {
   filmsticking.setUseWeights(false);
   filmsticking.setInsertLeftover(false);
   filmsticking.setOutputBoundary(true);
+  filmsticking.setMaxHole(0.25);
   filmsticking.setKeepOutliers(true);
   filmsticking.setSharpEdges(false);
   filmsticking.setComputeStability(true);
@@ -49,6 +85,8 @@ TEST(FilmstickingPP, OptionsAreKept) {
   EXPECT_FALSE(options.weights);
   EXPECT_FALSE(options.insert_leftover);
   EXPECT_TRUE(options.open_boundary);
+  EXPECT_EQ(options.max_hole, 0.25);
+  EXPECT_EQ(filmsticking.getMaxHole(), 0.25);
   EXPECT_TRUE(options.keep_outliers);
   EXPECT_FALSE(options.sharp_edges);
   EXPECT_TRUE(options.stability && filmsticking.getComputeStability());

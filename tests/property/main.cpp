@@ -30,10 +30,11 @@ constexpr double kMostWithout = 0;    // a share of the grid's sets that span sp
 constexpr double kLeastMeshes = 0.4;  // a share of the clouds
 
 constexpr char kUsage[] =
-    "usage: property_test clouds|orders|moves|turns COUNT [FIRST]\n"
+    "usage: property_test clouds|holes|orders|moves|turns COUNT [FIRST]\n"
     "       property_test grid EVERY|all\n"
-    "       property_test replay clouds|orders|moves|turns|grid NUMBER [FILE.xyz]\n\n"
+    "       property_test replay clouds|holes|orders|moves|turns|grid NUMBER [FILE.xyz]\n\n"
     "  clouds   COUNT nasty clouds, numbered from FIRST (default 0), keep the promise\n"
+    "  holes    and that for open meshes with lids over small holes\n"
     "  orders   their meshes are the same in another order, run, scale, and number of threads\n"
     "  moves    those of clouds of dyadic numbers are the same when all points are moved by powers of two\n"
     "  turns    and when they are turned by 90 degrees\n"
@@ -80,6 +81,32 @@ std::vector<Point> order_cloud(std::uint64_t seed) {
   return points;
 }
 
+/// A few points, with holes closed up to a diameter that the points choose.
+std::vector<Point> holed_cloud(std::uint64_t seed) {
+  std::vector<Point> points = order_cloud(seed);
+  points.resize(std::min<std::size_t>(points.size(), 150));
+  return points;
+}
+
+std::string hole_fault(const std::vector<Point>& points) {
+  Options options;
+  options.threads = 1;
+  const Point first = points.empty() ? Point{} : points.front(),
+              last = points.empty() ? Point{} : points.back();
+  options.max_hole = std::hypot(first[0] - last[0], first[1] - last[1], first[2] - last[2]) / 3;
+  if (!std::isfinite(options.max_hole)) options.max_hole = 1;
+  const Result result = reconstruct(points, options);
+  const std::string wrong = fault_of(result, points, options.max_hole > 0);
+  if (!wrong.empty() || result.status != Status::Ok) return wrong;
+  std::int64_t open = 0;
+  for (const Hole& hole : result.report.holes) {
+    if (hole.closed && hole.diameter > options.max_hole * (1 + 1e-9))
+      return "a hole that is too wide has a lid";
+    open += hole.closed ? 0 : 1;
+  }
+  return open == result.report.boundary_loops ? "" : "the list of holes is not that of the mesh";
+}
+
 struct Property {
   const char* name;
   std::vector<Point> (*cloud)(std::uint64_t);
@@ -88,6 +115,7 @@ struct Property {
 
 constexpr Property kProperties[] = {
     {"clouds", nasty_cloud, cloud_fault},
+    {"holes", holed_cloud, hole_fault},
     {"orders", order_cloud, [](const std::vector<Point>& p) { return invariance_fault(p, p.size()); }},
     {"moves", dyadic_cloud, move_fault},
     {"turns", dyadic_cloud, turn_fault},

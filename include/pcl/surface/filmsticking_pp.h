@@ -3,6 +3,8 @@
 
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/PolygonMesh.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
 #include <pcl/surface/reconstruction.h>
 
 #include <atomic>
@@ -188,8 +190,16 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
    */
   const std::vector<float>& getFaceStability() const { return face_stability_; }
 
+  /** \brief One unit normal for every point of the input cloud, oriented by the surface; of curvature 0.
+   *
+   * Points that are no vertices, and those that setIndices() leaves out, have the normal at the nearest place
+   * on the surface; points that are not finite have NaN. pcl::concatenateFields() joins them with the cloud.
+   * Empty without setComputeNormals() and on failure.
+   */
+  const pcl::PointCloud<pcl::Normal>& getNormals() const { return normals_; }
+
   /** \name Options that most callers need
-   * Most callers need setInputCloud() and at most these five setters. */
+   * Most callers need setInputCloud() and at most these six setters. */
   ///@{
 
   /** \brief Set whether the result may have a boundary: faces that no data support are removed.
@@ -202,6 +212,18 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
 
   /** \brief Get whether the result may have a boundary. */
   bool getOutputBoundary() const { return options_.open_boundary; }
+
+  /** \brief Set the largest hole to close: between a closed result and an open one.
+   *
+   * The result may have a boundary, but rims whose diameter is at most \a length get a lid. A lid has
+   * no new vertices, and avoids other faces where it can. A rim stays open only where a lid would break the
+   * manifold or lie on the surface. getReport().holes lists all rims.
+   * \param[in] length in the unit of the points; 0, the default: setOutputBoundary() alone decides
+   */
+  void setMaxHole(double length) { options_.max_hole = length; }
+
+  /** \brief Get the largest hole to close. */
+  double getMaxHole() const { return options_.max_hole; }
 
   /** \brief Set the sensor position, instead of the sensor origin of the cloud.
    *
@@ -289,6 +311,12 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
 
   /** \brief Get whether getFaceStability() is filled. */
   bool getComputeStability() const { return options_.stability; }
+
+  /** \brief Set whether getNormals() is filled, in a few per cent more time. Off by default. */
+  void setComputeNormals(bool normals) { compute_normals_ = normals; }
+
+  /** \brief Get whether getNormals() is filled. */
+  bool getComputeNormals() const { return compute_normals_; }
 
   /** \brief Set whether points that the surface misses are inserted at the end. On by default. */
   void setInsertLeftover(bool insert_leftover) { options_.insert_leftover = insert_leftover; }
@@ -428,13 +456,19 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   /** \brief Copy the vertices of the last result with all their fields. */
   void copyVertices(pcl::PCLPointCloud2& vertices) const;
 
-  /** \brief The result for the indexed points, which are read in place if x, y and z are consecutive floats.
+  /** \brief Call \a use with a view of all input points, which are read in place if x, y and z are
+   * consecutive floats or doubles.
    */
-  filmsticking::Result computeResult(const filmsticking::Execution& execution) const;
+  template <typename Use>
+  auto withAllPoints(const Use& use) const;
 
   /** \brief The same for the points of the blob, whose x, y and z are of type \a Real. */
-  template <typename Real>
-  filmsticking::Result computeResultOfBlob(const filmsticking::Execution& execution) const;
+  template <typename Real, typename Use>
+  auto withAllPointsOfBlob(const Use& use) const;
+
+  /** \brief Fill normals_; false, with the status set, if that fails. */
+  bool computeNormals(const std::vector<filmsticking::Triangle>& triangles,
+                      const filmsticking::Execution& execution);
 
   /** \brief The viewpoint of the options, else the sensor origin of the cloud unless useNoViewPoint(). */
   std::optional<filmsticking::Point> viewPoint() const;
@@ -450,6 +484,7 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
 
   Options options_;
   bool try_sensor_origin_ = true;
+  bool compute_normals_ = false;
   ProgressCallback progress_callback_;
   StepCallback step_callback_;
   CancelFlag cancel_;
@@ -461,6 +496,7 @@ class FilmstickingPP : public SurfaceReconstruction<PointInT> {
   pcl::Indices vertex_indices_;
   std::vector<float> face_gaps_;
   std::vector<float> face_stability_;
+  pcl::PointCloud<pcl::Normal> normals_;
 };
 
 }  // namespace pcl

@@ -251,6 +251,8 @@ const std::vector<Index>& Labelling::sites_of(const Move& move) {
   touched_.clear();
   for (Index t : move) touched_.insert(touched_.end(), corners(t).begin(), corners(t).end());
   unique_sorted(touched_);
+  // Of an outer tetrahedron: the inside of an open surface may reach infinity.
+  if (!touched_.empty() && touched_.front() == kNone) touched_.erase(touched_.begin());
   return touched_;
 }
 

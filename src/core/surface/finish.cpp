@@ -46,6 +46,11 @@ FinishedSurface finish(Surface found, const PointsView& points, const SiteSet& s
         check_manifold_with_twins(surface.triangles, static_cast<Index>(surface.site.size()), topology.twin);
   }
   if (!topology.check.manifold()) return done;
+  if (options.open && !topology.check.closed) {
+    const std::size_t before = surface.triangles.size();
+    done.openings = close_rims(surface, topology.twin, options.max_hole, monitor.cancel());
+    update_after(static_cast<std::int64_t>(surface.triangles.size() - before));
+  }
 
   std::vector<std::int32_t> ids(surface.site.size());
   parallel_each(ids.size(), [&](std::size_t v) { ids[v] = sites.input[surface.site[v]]; });

@@ -3,14 +3,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
-#include <optional>
 
-#include "geometry/face_tree.h"
-#include "geometry/meeting.h"
 #include "geometry/triangle_adjacency.h"
+#include "surface/least_triangulation.h"
+#include "surface/meeting_tree.h"
 #include "surface/open_surface.h"
 
 namespace filmsticking {
@@ -27,20 +24,16 @@ class Pinholes {
  public:
   Pinholes(Surface& surface, const std::vector<Index>& twins, const SiteGeometry& geometry,
            const Vec3* viewpoint)
-      : surface_(surface),
-        twin_(twins),
-        geometry_(geometry),
-        viewpoint_(viewpoint),
-        faces_(surface.triangles.size()) {}
+      : surface_(surface), twin_(twins), geometry_(geometry), viewpoint_(viewpoint) {}
 
   std::int64_t run() {
     const std::vector<Line> lines = find_lines();
     if (lines.empty()) return 0;
-    const FaceTree tree(surface_);
+    MeetingTree tree(surface_);
     std::int64_t filled = 0;
     for (const Line& line : lines) {
       const std::vector<Corners> filling = triangulation(line);
-      if (filling.empty() || meets(tree, filling)) continue;
+      if (filling.empty() || !tree.meeting(filling, false).empty()) continue;
       surface_.triangles.insert(surface_.triangles.end(), filling.begin(), filling.end());
       ++filled;
     }
@@ -86,76 +79,35 @@ class Pinholes {
     }
   }
 
-  // Of least area, by dynamic programming over parts of the loop. Empty if there is none.
+  // Of least area. Empty if there is none.
   std::vector<Corners> triangulation(const Line& line) const {
-    const std::size_t n = line.size();
     Vec3 around = Vec3::Zero();
     for (Index v : line) around += area(surface_.triangles[border_[v] / 3]);
-    constexpr double kNever = std::numeric_limits<double>::infinity();
-    std::array<std::array<double, kMostEdges>, kMostEdges> cost{};
-    std::array<std::array<std::size_t, kMostEdges>, kMostEdges> middle{};
-    for (std::size_t i = 0; i + 2 < n; ++i) {
-      const std::vector<Index> joined = neighbours(line[i]);
-      for (std::size_t k = i + 2; k < n; ++k)
-        if ((i > 0 || k + 1 < n) && std::find(joined.begin(), joined.end(), line[k]) != joined.end())
-          cost[i][k] = kNever;
-    }
-    for (std::size_t length = 2; length < n; ++length)
-      for (std::size_t i = 0; i + length < n; ++i) {
-        const std::size_t k = i + length;
-        double least = kNever;
-        for (std::size_t j = i + 1; j < k && cost[i][k] < kNever; ++j) {
-          const Corners face{line[i], line[j], line[k]};
-          const Vec3 own = area(face);
-          const bool good = own.dot(around) >= kAgrees * own.norm() * around.norm() &&
-                            shows_front(own, line[j]) && is_narrow(surface_, face, geometry_);
-          const double with = good ? cost[i][j] + cost[j][k] + own.norm() : kNever;
-          if (with < least) least = with, middle[i][k] = j;
-        }
-        cost[i][k] = least;
-      }
-    if (!(cost[0][n - 1] < kNever)) return {};
-    std::vector<Corners> faces;
-    std::vector<std::array<std::size_t, 2>> open{{0, n - 1}};
-    while (!open.empty()) {  // ends: both parts are shorter
-      const auto [i, k] = open.back();
-      open.pop_back();
-      if (k < i + 2) continue;
-      const std::size_t j = middle[i][k];
-      faces.push_back({line[i], line[j], line[k]});
-      open.push_back({i, j}), open.push_back({j, k});
-    }
-    return faces;
+    std::vector<std::vector<Index>> joined;
+    for (Index v : line) joined.push_back(neighbours(v));
+    const auto cost = [&](std::size_t i, std::size_t j, std::size_t k) {
+      const Corners face{line[i], line[j], line[k]};
+      const Vec3 own = area(face);
+      const bool good = own.dot(around) >= kAgrees * own.norm() * around.norm() &&
+                        shows_front(own, line[j]) && is_narrow(surface_, face, geometry_);
+      return good ? own.norm() : std::numeric_limits<double>::infinity();
+    };
+    return least_triangulation(
+        line,
+        [&](std::size_t i, std::size_t k) {
+          return std::find(joined[i].begin(), joined[i].end(), line[k]) == joined[i].end();
+        },
+        cost, [] {});
   }
 
   bool shows_front(const Vec3& area, Index corner) const {
     return viewpoint_ == nullptr || area.dot(*viewpoint_ - surface_.positions[corner]) > 0;
   }
 
-  // Does a filling meet the surface, other fillings, or itself?
-  bool meets(const FaceTree& tree, const std::vector<Corners>& filling) const {
-    for (std::size_t i = 0; i < filling.size(); ++i) {
-      const auto apart = [&](const Corners& other) {
-        return Meeting(surface_.positions, filling[i], other, kMeetingMargin).in_common_corners_only();
-      };
-      Eigen::AlignedBox3d box;
-      for (Index v : filling[i]) box.extend(surface_.positions[v]);
-      box.min().array() -= kMeetingMargin, box.max().array() += kMeetingMargin;
-      if (!tree.all(FaceTree::rounded(box), [&](Index t) { return apart(surface_.triangles[t]); }))
-        return true;
-      for (std::size_t t = faces_; t < surface_.triangles.size(); ++t)
-        if (!apart(surface_.triangles[t])) return true;
-      for (std::size_t k = 0; k < i; ++k)
-        if (!apart(filling[k])) return true;
-    }
-    return false;
-  }
-
   Surface& surface_;
   const std::vector<Index>& twin_;
   const SiteGeometry& geometry_;
   const Vec3* viewpoint_;
-  std::size_t faces_;          // number of faces before any filling
   std::vector<Index> border_;  // [vertex]: the half-edge without a twin that ends there
 };
 

@@ -209,6 +209,29 @@ pcl::PCLPointCloud2 with_real_positions(pcl::PCLPointCloud2 cloud) {
   return with_positions(cloud, positions);
 }
 
+pcl::PCLPointCloud2 with_normals(const pcl::PCLPointCloud2& cloud,
+                                 const std::vector<std::array<float, 3>>& normals) {
+  constexpr const char* kNames[3] = {"normal_x", "normal_y", "normal_z"};
+  std::vector<pcl::PCLPointField> fields;
+  for (const pcl::PCLPointField& field : cloud.fields)
+    if (std::find(kNames, kNames + 3, field.name) == kNames + 3) fields.push_back(field);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    fields.push_back(
+        make_field(kNames[axis], cloud.point_step + axis * sizeof(float), pcl::PCLPointField::FLOAT32));
+  constexpr std::size_t kMore = sizeof normals[0];
+  pcl::PCLPointCloud2 all = make_rows(std::move(fields), cloud.point_step + kMore, normals.size());
+  all.header = cloud.header;
+  all.width = cloud.width, all.height = cloud.height;
+  all.row_step = all.width * all.point_step;
+  std::uint8_t* to = all.data.data();
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    to = std::copy_n(bytes_of(cloud, i), cloud.point_step, to);
+    std::memcpy(to, normals[i].data(), kMore);
+    to += kMore;
+  }
+  return all;
+}
+
 pcl::PCLPointCloud2 select(const pcl::PCLPointCloud2& cloud, const std::vector<int>& points) {
   pcl::PCLPointCloud2 some = make_rows(cloud.fields, cloud.point_step, points.size());
   some.header = cloud.header;

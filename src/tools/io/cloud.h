@@ -90,6 +90,11 @@ pcl::PCLPointCloud2 with_positions(const pcl::PCLPointCloud2& cloud, const std::
 /// same values where they are not all FLOAT32. Throws IoError where one is missing.
 pcl::PCLPointCloud2 with_real_positions(pcl::PCLPointCloud2 cloud);
 
+/// The cloud with the fields normal_x, normal_y and normal_z, FLOAT32; all other fields, and rows, are kept.
+/// `normals`: one a point. Throws IoError as make_rows() does.
+pcl::PCLPointCloud2 with_normals(const pcl::PCLPointCloud2& cloud,
+                                 const std::vector<std::array<float, 3>>& normals);
+
 /// Points of the cloud, with all their bytes, in one row.
 pcl::PCLPointCloud2 select(const pcl::PCLPointCloud2& cloud, const std::vector<int>& points);
 

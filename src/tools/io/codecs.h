@@ -58,6 +58,13 @@ void encode_vtk(const pcl::PCLPointCloud2& vertices, const std::vector<Triangle>
 /// finite or out of range.
 void encode_glb(const pcl::PCLPointCloud2& vertices, const std::vector<Triangle>& triangles, ByteWriter& out);
 
+/// A binary PCD file (version 0.7) with all fields: the inverse of decode_pcd().
+void encode_pcd(const Cloud& cloud, ByteWriter& out);
+
+/// A text with one point a line: x, y, z, and normals if there are any; every number in the shortest text
+/// that reads back the same.
+void encode_xyz(const Cloud& cloud, ByteWriter& out);
+
 /// Appends a polygon as a fan of triangles.
 void append_polygon(const std::vector<std::int32_t>& corners, std::vector<Triangle>& triangles);
 

@@ -45,12 +45,12 @@ std::string detect_text(std::string_view bytes) {
 
 struct Format {
   const char* name;
-  bool reads_cloud, reads_mesh, writes_mesh;
+  bool reads_cloud, reads_mesh, writes_mesh, writes_cloud;
 };
 constexpr Format kFormats[] = {
-    {"pcd", true, false, false}, {"ply", true, true, true},   {"obj", true, true, true},
-    {"stl", true, true, true},   {"vtk", false, true, true},  {"xyz", true, false, false},
-    {"txt", true, false, false}, {"glb", false, false, true},
+    {"pcd", true, false, false, true}, {"ply", true, true, true, true},    {"obj", true, true, true, false},
+    {"stl", true, true, true, false},  {"vtk", false, true, true, false},  {"xyz", true, false, false, true},
+    {"txt", true, false, false, true}, {"glb", false, false, true, false},
 };
 
 template <class Wanted>
@@ -59,6 +59,12 @@ std::vector<std::string> formats_where(Wanted wanted) {
   for (const Format& format : kFormats)
     if (wanted(format)) names.push_back(format.name);
   return names;
+}
+
+bool has_extension_of(const std::string& path, const std::vector<std::string>& formats) {
+  const std::string extension = extension_of(path);
+  return std::any_of(formats.begin(), formats.end(),
+                     [&](const std::string& format) { return extension == "." + format; });
 }
 
 /// The path's extension without its dot, if it is one of the formats.
@@ -74,6 +80,12 @@ std::string format_of(const std::string& path, const std::vector<std::string>& f
 const std::vector<std::string>& cloud_formats() {
   static const std::vector<std::string> formats =
       formats_where([](const Format& format) { return format.reads_cloud; });
+  return formats;
+}
+
+const std::vector<std::string>& written_cloud_formats() {
+  static const std::vector<std::string> formats =
+      formats_where([](const Format& format) { return format.writes_cloud; });
   return formats;
 }
 
@@ -163,12 +175,7 @@ pcl::PolygonMesh read_model(const std::string& path) {
   return decode_mesh(format, read_file(path));
 }
 
-bool can_write_mesh(const std::string& path) {
-  const std::vector<std::string>& formats = mesh_formats();
-  const std::string extension = extension_of(path);
-  return std::any_of(formats.begin(), formats.end(),
-                     [&](const std::string& format) { return extension == "." + format; });
-}
+bool can_write_mesh(const std::string& path) { return has_extension_of(path, mesh_formats()); }
 
 void write_mesh(const std::string& path, const pcl::PCLPointCloud2& vertices,
                 const std::vector<Triangle>& triangles) {
@@ -178,6 +185,23 @@ void write_mesh(const std::string& path, const pcl::PCLPointCloud2& vertices,
 
 void write_mesh(const std::string& path, const pcl::PolygonMesh& mesh) {
   write_mesh(path, mesh.cloud, triangles_of(mesh.polygons));
+}
+
+bool can_write_cloud(const std::string& path) { return has_extension_of(path, written_cloud_formats()); }
+
+void write_cloud(const std::string& path, const Cloud& cloud) {
+  const std::string format = format_of(path, written_cloud_formats());
+  write_file(path, [&](const ByteSink& sink) {
+    ByteWriter out(sink);
+    if (format == "pcd") {
+      encode_pcd(cloud, out);
+    } else if (format == "ply") {
+      encode_ply(cloud.points, {}, out);
+    } else {
+      encode_xyz(cloud, out);
+    }
+    out.flush();
+  });
 }
 
 void append_polygon(const std::vector<std::int32_t>& corners, std::vector<Triangle>& triangles) {

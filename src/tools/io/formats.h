@@ -17,6 +17,9 @@ namespace filmsticking::io {
 /// The formats of points, as extensions without a dot: pcd ply obj stl xyz txt.
 const std::vector<std::string>& cloud_formats();
 
+/// The formats that write_cloud() writes: pcd ply xyz txt.
+const std::vector<std::string>& written_cloud_formats();
+
 /// The formats that encode_mesh() writes: ply obj stl vtk glb.
 const std::vector<std::string>& mesh_formats();
 
@@ -60,5 +63,12 @@ bool can_write_mesh(const std::string& path);
 void write_mesh(const std::string& path, const pcl::PCLPointCloud2& vertices,
                 const std::vector<Triangle>& triangles);
 void write_mesh(const std::string& path, const pcl::PolygonMesh& mesh);
+
+/// Whether write_cloud() knows the path's extension: .pcd, .ply, .xyz or .txt.
+bool can_write_cloud(const std::string& path);
+
+/// Writes points with all fields to .pcd (binary) or .ply, with positions and normals alone to .xyz or .txt.
+/// Every coordinate reads back as the same number. Throws IoError.
+void write_cloud(const std::string& path, const Cloud& cloud);
 
 }  // namespace filmsticking::io

@@ -263,6 +263,34 @@ Cloud decode_pcd(std::string_view bytes) {
   return cloud;
 }
 
+void encode_pcd(const Cloud& cloud, ByteWriter& out) {
+  const pcl::PCLPointCloud2& points = cloud.points;
+  const PositionFields checked(points);
+  std::string names, sizes, kinds, counts;
+  for (const pcl::PCLPointField& field : points.fields) {
+    const auto type = static_cast<Scalar>(field.datatype);
+    const bool real = type == Scalar::Float || type == Scalar::Double;
+    const bool is_signed =
+        type == Scalar::Int8 || type == Scalar::Int16 || type == Scalar::Int32 || type == Scalar::Int64;
+    names += ' ' + field.name;
+    sizes += ' ' + std::to_string(size_of(type));
+    kinds += real ? " F" : is_signed ? " I" : " U";
+    counts += ' ' + std::to_string(std::max(1U, field.count));
+  }
+  std::string viewpoint;
+  for (const double x : cloud.viewpoint.value_or(Point{})) append_number(viewpoint, x), viewpoint += ' ';
+  out.append("# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS" + names + "\nSIZE" + sizes +
+             "\nTYPE" + kinds + "\nCOUNT" + counts + "\nWIDTH " + std::to_string(points.width) + "\nHEIGHT " +
+             std::to_string(points.height) + "\nVIEWPOINT " + viewpoint + "1 0 0 0\nPOINTS " +
+             std::to_string(size_of(points)) + "\nDATA binary\n");
+  for (std::size_t i = 0; i < size_of(points); ++i)
+    out.add([&](std::string& bytes) {
+      for (const pcl::PCLPointField& field : points.fields)
+        bytes.append(reinterpret_cast<const char*>(bytes_of(points, i)) + field.offset,
+                     size_of(Scalar{field.datatype}) * std::max(1U, field.count));
+    });
+}
+
 void check_pcd(std::string_view bytes) {
   TextScanner file(bytes), again(bytes);
   const Header header = parse_header(file);

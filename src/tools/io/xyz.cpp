@@ -53,4 +53,27 @@ Cloud decode_xyz(std::string_view bytes) {
   return {make_cloud(positions, colours), std::nullopt};
 }
 
+void encode_xyz(const Cloud& cloud, ByteWriter& out) {
+  const PositionFields positions(cloud.points);
+  std::vector<const pcl::PCLPointField*> normal;
+  for (const char* name : {"normal_x", "normal_y", "normal_z"})
+    if (const pcl::PCLPointField* field = find_field(cloud.points, name))
+      if (field->datatype == pcl::PCLPointField::FLOAT32) normal.push_back(field);
+  if (normal.size() != 3) normal.clear();
+  for (std::size_t i = 0; i < size_of(cloud.points); ++i)
+    out.add([&](std::string& text) {
+      const std::uint8_t* point = bytes_of(cloud.points, i);
+      const Point place = positions.load(point);
+      for (int axis = 0; axis < 3; ++axis) {
+        if (axis > 0) text += ' ';
+        append_number(text, place[static_cast<std::size_t>(axis)]);
+      }
+      for (const pcl::PCLPointField* field : normal) {
+        text += ' ';
+        append_number(text, load<float>(point + field->offset));
+      }
+      text += '\n';
+    });
+}
+
 }  // namespace filmsticking::io

@@ -1,10 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report.h"
 
+#include <new>
+
 #include "extent.h"
+#include "filmsticking/holes.h"
 #include "self_intersections.h"
 
 namespace filmsticking::mesh_report {
+namespace {
+
+std::vector<Hole> holes_of(const Surface& mesh) {
+  std::vector<Point> positions;
+  for (const Vec3& p : mesh.positions) positions.push_back({p.x(), p.y(), p.z()});
+  std::vector<Hole> holes;
+  if (find_holes(positions, mesh.triangles, holes) != Status::Ok) throw std::bad_alloc();
+  return holes;
+}
+
+}  // namespace
 
 Report report_on(const Surface& mesh) {
   Report report;
@@ -12,6 +26,7 @@ Report report_on(const Surface& mesh) {
   report.faces = static_cast<std::int64_t>(mesh.triangles.size());
   report.topology = topology(mesh);
   report.self_intersections = self_intersections(mesh);
+  report.holes = holes_of(mesh);
   const Extent size = extent(mesh);
   report.area = size.area;
   if (report.topology.closed && report.topology.oriented) report.volume = size.signed_volume;

@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cloud_fit.h"
+#include "filmsticking/report.h"
 #include "sharp_edges.h"
 #include "topology.h"
 #include "truth_fit.h"
@@ -29,6 +31,7 @@ struct Report {
   double area = 0;               ///< in the mesh's unit squared
   std::optional<double> volume;  ///< in the mesh's unit cubed; only of a closed, oriented mesh
   bool outward = false;          ///< closed, oriented, and the volume is positive
+  std::vector<Hole> holes;       ///< loops of boundary edges, the widest first
   std::optional<CloudFit> cloud;
   std::optional<TruthFit> truth;
 };
@@ -41,8 +44,8 @@ TruthFit truth_fit(const Surface& mesh, const Topology& topology, const Surface&
 /// A table for people.
 std::string to_text(const Report& report);
 
-/// One flat JSON object; a measurement without a value is null. Members of the cloud and of the truth only
-/// with these.
+/// One JSON object, flat but for the list of holes; a measurement without a value is null. Members of the
+/// cloud and of the truth only with these.
 std::string to_json(const Report& report);
 
 }  // namespace filmsticking::mesh_report

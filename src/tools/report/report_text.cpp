@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -61,6 +62,20 @@ std::string intersections(std::int64_t pairs) {
   return count(pairs, "pair of faces", "pairs of faces");
 }
 
+void add_holes(Table& table, const std::vector<Hole>& holes) {
+  constexpr std::size_t kShown = 10;
+  if (holes.empty()) return;
+  table.add("holes", std::to_string(holes.size()));
+  for (std::size_t i = 0; i < std::min(holes.size(), kShown); ++i) {
+    const Hole& hole = holes[i];
+    char text[200];
+    std::snprintf(text, sizeof text, "diameter %.4g, length %.4g, area %.4g, around %.4g %.4g %.4g",
+                  hole.diameter, hole.length, hole.area, hole.centre[0], hole.centre[1], hole.centre[2]);
+    table.add(("hole " + std::to_string(i + 1)).c_str(), text);
+  }
+  if (holes.size() > kShown) table.add("more holes", "--json lists all");
+}
+
 void add_cloud(Table& table, const CloudFit& cloud) {
   table.add("points", std::to_string(cloud.points));
   table.add("points that are vertices", number("%.2f %%", cloud.interpolated));
@@ -90,6 +105,17 @@ using Json = nlohmann::ordered_json;
 template <typename Value>
 Json or_null(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
+}
+
+Json hole_list(const std::vector<Hole>& holes) {
+  Json list = Json::array();
+  for (const Hole& hole : holes)
+    list.push_back({{"length", hole.length},
+                    {"diameter", hole.diameter},
+                    {"area", hole.area},
+                    {"centre", hole.centre},
+                    {"edges", hole.edges}});
+  return list;
 }
 
 Json cloud_members(const CloudFit& cloud) {
@@ -131,6 +157,7 @@ std::string to_text(const Report& report) {
   table.add("self-intersections", intersections(report.self_intersections));
   table.add("area", number("%.6g", report.area));
   table.add("volume", number_or_dash("%.6g", report.volume));
+  add_holes(table, report.holes);
   if (report.cloud) add_cloud(table, *report.cloud);
   if (report.truth) add_truth(table, *report.truth);
   return table.text();
@@ -151,7 +178,8 @@ std::string to_json(const Report& report) {
                {"oriented", topology.oriented},
                {"outward", report.outward},
                {"area", report.area},
-               {"volume", or_null(report.volume)}};
+               {"volume", or_null(report.volume)},
+               {"holes", hole_list(report.holes)}};
   if (report.cloud) json.update(cloud_members(*report.cloud));
   if (report.truth) json.update(truth_members(*report.truth));
   return json.dump(2) + "\n";

@@ -68,6 +68,88 @@ std::string error_of(const std::string& path) {
   return "";
 }
 
+/// Every point with normals, a label and rows, in double or single precision.
+io::Cloud labelled(bool single) {
+  const std::vector<Point> places = tetrahedron(single).positions;
+  io::Cloud cloud{
+      io::with_normals(io::make_cloud(places), {{0, 0, 1}, {0, 1, 0}, {0.6F, 0, -0.8F}, {1, 0, 0}}),
+      Point{1, 2, 1.0 / 3}};
+  cloud.points.width = cloud.points.height = 2;
+  cloud.points.row_step = 2 * cloud.points.point_step;
+  return cloud;
+}
+
+std::vector<std::array<float, 3>> normals_in(const pcl::PCLPointCloud2& cloud) {
+  std::vector<std::array<float, 3>> normals(io::size_of(cloud));
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    for (int axis = 0; axis < 3; ++axis) {
+      const char* names[] = {"normal_x", "normal_y", "normal_z"};
+      const pcl::PCLPointField* field = io::find_field(cloud, names[axis]);
+      if (field == nullptr) return {};
+      normals[i][static_cast<std::size_t>(axis)] = io::load<float>(io::bytes_of(cloud, i) + field->offset);
+    }
+  return normals;
+}
+
+TEST(Files, WrittenCloudsReadBackAsTheSamePointsAndNormals) {
+  const ScratchFolder folder;
+  for (const bool single : {true, false})
+    for (const std::string kind : {"pcd", "ply"}) {
+      SCOPED_TRACE(kind);
+      const io::Cloud cloud = labelled(single);
+      io::write_cloud(folder / ("a." + kind), cloud);
+      const io::Cloud read = io::read_cloud(folder / ("a." + kind));
+      EXPECT_TRUE(same_bits(io::positions_of(read.points), io::positions_of(cloud.points)));
+      EXPECT_EQ(normals_in(read.points), normals_in(cloud.points));
+      if (kind == "pcd") {
+        EXPECT_EQ(read.points.width, 2u);
+        EXPECT_EQ(read.viewpoint, cloud.viewpoint);
+        io::check_pcd(io::read_file(folder / "a.pcd"));
+      }
+    }
+}
+
+TEST(Files, PclReadsAWrittenPcd) {
+  const ScratchFolder folder;
+  const io::Cloud cloud = labelled(true);
+  io::write_cloud(folder / "a.pcd", cloud);
+  pcl::PointCloud<pcl::PointNormal> read;
+  ASSERT_EQ(pcl::io::loadPCDFile(folder / "a.pcd", read), 0);
+  ASSERT_EQ(read.size(), 4u);
+  EXPECT_EQ(read.height, 2u);
+  const std::vector<Point> places = io::positions_of(cloud.points);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(read[i].y, static_cast<float>(places[i][1]));
+    EXPECT_EQ(read[i].normal_z, normals_in(cloud.points)[i][2]);
+  }
+}
+
+TEST(Files, WrittenTextHasPositionsAndNormals) {
+  const ScratchFolder folder;
+  const io::Cloud cloud = labelled(false);
+  io::write_cloud(folder / "a.xyz", cloud);
+  EXPECT_TRUE(
+      same_bits(io::positions_of(io::read_cloud(folder / "a.xyz").points), io::positions_of(cloud.points)));
+  std::istringstream text(io::read_file(folder / "a.xyz"));
+  double x = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < 6; ++k) {
+      ASSERT_TRUE(text >> x);
+      if (k < 3) continue;
+      EXPECT_EQ(static_cast<float>(x), normals_in(cloud.points)[i][k - 3]);
+    }
+  EXPECT_THROW(io::write_cloud(folder / "a.obj", cloud), IoError);
+}
+
+TEST(Files, NewNormalsReplaceOldOnes) {
+  const io::Cloud cloud = labelled(true);
+  const std::vector<std::array<float, 3>> turned(4, {0, -1, 0});
+  const pcl::PCLPointCloud2 again = io::with_normals(cloud.points, turned);
+  EXPECT_EQ(again.fields.size(), cloud.points.fields.size());
+  EXPECT_EQ(normals_in(again), turned);
+  EXPECT_EQ(io::positions_of(again), io::positions_of(cloud.points));
+}
+
 std::string ply_header(const std::string& format, const std::string& type, int vertices, int faces) {
   return "ply\nformat " + format + " 1.0\ncomment made for a test\nelement vertex " +
          std::to_string(vertices) + "\nproperty " + type + " x\nproperty " + type + " y\nproperty " + type +

@@ -6,6 +6,8 @@
 #include <pcl/point_types.h>
 #include <pcl/surface/filmsticking_pp.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -18,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "filmsticking/normals.h"
 #include "filmsticking/reconstruct.h"
 
 template <typename PointInT>
@@ -174,9 +177,20 @@ bool pcl::FilmstickingPP<PointInT>::computeTriangles(std::vector<filmsticking::T
   execution.progress = progress_callback_;
   execution.on_step = step_callback_;
   execution.cancel = cancel_flag_ ? cancel_flag_ : &cancel_.raised;
-  filmsticking::Result result = !blob_                       ? computeResult(execution)
-                                : detail::hasDoubles(*blob_) ? computeResultOfBlob<double>(execution)
-                                                             : computeResultOfBlob<float>(execution);
+  Options options = options_;
+  if (!options.viewpoint) options.trust_viewpoint = false;
+  options.viewpoint = viewPoint();
+  if (!options.viewpoints)
+    options.viewpoints =
+        blob_ ? detail::viewpointsOf(*blob_, *indices_) : detail::viewpointsOf(*input_, *indices_);
+  filmsticking::Result result = withAllPoints([&](const filmsticking::PointsView& points) {
+    if constexpr (std::is_same_v<pcl::index_t, std::int32_t>) {
+      return filmsticking::reconstruct(points.at(*indices_), options, execution);
+    } else {
+      const std::vector<std::int32_t> ids(indices_->begin(), indices_->end());
+      return filmsticking::reconstruct(points.at(ids), options, execution);
+    }
+  });
   report_ = std::move(result.report);
   if (result.status != Status::Ok) {
     fail(result.status, result.message.empty() ? filmsticking::describe(result.status) : result.message);
@@ -187,67 +201,71 @@ bool pcl::FilmstickingPP<PointInT>::computeTriangles(std::vector<filmsticking::T
   face_gaps_ = std::move(result.gaps);
   face_stability_ = std::move(result.stability);
   triangles = std::move(result.triangles);
+  if (compute_normals_ && !computeNormals(triangles, execution)) return false;
   status_ = Status::Ok;
   return true;
 }
 
 template <typename PointInT>
-filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResult(
-    const filmsticking::Execution& execution) const {
-  Options options = options_;
-  if (!options.viewpoint) options.trust_viewpoint = false;
-  options.viewpoint = viewPoint();
-  if (!options.viewpoints) options.viewpoints = detail::viewpointsOf(*input_, *indices_);
-  if constexpr (std::is_same_v<pcl::index_t, std::int32_t> && std::is_same_v<decltype(PointInT::x), float> &&
+template <typename Use>
+auto pcl::FilmstickingPP<PointInT>::withAllPoints(const Use& use) const {
+  if (blob_)
+    return detail::hasDoubles(*blob_) ? withAllPointsOfBlob<double>(use) : withAllPointsOfBlob<float>(use);
+  if constexpr (std::is_same_v<decltype(PointInT::x), float> &&
                 std::is_same_v<decltype(PointInT::y), float> &&
                 std::is_same_v<decltype(PointInT::z), float>) {
     const PointInT* first = input_->points.data();
     // True for PCL's own point types.
-    if (!input_->empty() && &first->y == &first->x + 1 && &first->z == &first->x + 2) {
-      const filmsticking::PointsView cloud(&first->x, sizeof(PointInT), input_->size());
-      return filmsticking::reconstruct(cloud.at(*indices_), options, execution);
-    }
+    if (!input_->empty() && &first->y == &first->x + 1 && &first->z == &first->x + 2)
+      return use(filmsticking::PointsView(&first->x, sizeof(PointInT), input_->size()));
   }
   std::vector<filmsticking::Point> positions;
-  positions.reserve(indices_->size());
-  for (const pcl::index_t index : *indices_) {
-    const PointInT& point = (*input_)[index];
-    positions.push_back({point.x, point.y, point.z});
-  }
-  return filmsticking::reconstruct(positions, options, execution);
+  positions.reserve(input_->size());
+  for (const PointInT& point : *input_) positions.push_back({point.x, point.y, point.z});
+  return use(filmsticking::PointsView(positions));
 }
 
 template <typename PointInT>
-template <typename Real>
-filmsticking::Result pcl::FilmstickingPP<PointInT>::computeResultOfBlob(
-    const filmsticking::Execution& execution) const {
-  Options options = options_;
-  if (!options.viewpoint) options.trust_viewpoint = false;
-  options.viewpoint = viewPoint();
+template <typename Real, typename Use>
+auto pcl::FilmstickingPP<PointInT>::withAllPointsOfBlob(const Use& use) const {
   const pcl::PCLPointCloud2& blob = *blob_;
-  if (!options.viewpoints) options.viewpoints = detail::viewpointsOf(blob, *indices_);
+  const std::size_t size = static_cast<std::size_t>(blob.width) * blob.height;
   const std::size_t x = detail::offsetOf(blob, "x"), y = detail::offsetOf(blob, "y"),
                     z = detail::offsetOf(blob, "z");
-  // Rows may be padded: points are at multiples of this, not at a constant step.
-  const std::size_t unit = std::gcd<std::size_t>(blob.point_step, blob.row_step);
-  const std::size_t units = blob.data.size() / unit;
-  if (!indices_->empty() && y == x + sizeof(Real) && z == y + sizeof(Real) &&
-      units <= static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
-    std::vector<std::int32_t> places;
-    places.reserve(indices_->size());
-    for (const pcl::index_t index : *indices_)
-      places.push_back(static_cast<std::int32_t>(detail::placeOf(blob, index) / unit));
-    const filmsticking::PointsView view(reinterpret_cast<const Real*>(&blob.data[x]), unit, units);
-    return filmsticking::reconstruct(view.at(places), options, execution);
-  }
+  if (size > 0 && y == x + sizeof(Real) && z == y + sizeof(Real) &&
+      (blob.height == 1 || blob.row_step == blob.width * blob.point_step))  // rows without padding
+    return use(filmsticking::PointsView(reinterpret_cast<const Real*>(&blob.data[x]), blob.point_step, size));
   std::vector<filmsticking::Point> positions;
-  positions.reserve(indices_->size());
-  for (const pcl::index_t index : *indices_) {
-    const std::uint8_t* point = &blob.data[detail::placeOf(blob, index)];
+  positions.reserve(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::uint8_t* point = &blob.data[detail::placeOf(blob, static_cast<pcl::index_t>(i))];
     positions.push_back(
         {detail::realAt<Real>(point + x), detail::realAt<Real>(point + y), detail::realAt<Real>(point + z)});
   }
-  return filmsticking::reconstruct(positions, options, execution);
+  return use(filmsticking::PointsView(positions));
+}
+
+template <typename PointInT>
+bool pcl::FilmstickingPP<PointInT>::computeNormals(const std::vector<filmsticking::Triangle>& triangles,
+                                                   const filmsticking::Execution& execution) {
+  std::vector<filmsticking::Normal> normals;
+  const Status status = withAllPoints([&](const filmsticking::PointsView& points) {
+    const std::vector<std::int32_t> vertices(vertex_indices_.begin(), vertex_indices_.end());
+    return filmsticking::point_normals(points, vertices, triangles, normals, options_.threads,
+                                       execution.cancel);
+  });
+  if (status != Status::Ok) {
+    fail(status, filmsticking::describe(status));
+    return false;
+  }
+  normals_.reserve(normals.size());
+  for (const filmsticking::Normal& n : normals) normals_.push_back(pcl::Normal(n[0], n[1], n[2]));
+  normals_.header = inputHeader();
+  normals_.width = blob_ ? blob_->width : input_->width;
+  normals_.height = blob_ ? blob_->height : input_->height;
+  normals_.is_dense = std::all_of(normals_.begin(), normals_.end(),
+                                  [](const pcl::Normal& n) { return std::isfinite(n.normal_x); });
+  return true;
 }
 
 template <typename PointInT>
@@ -284,6 +302,7 @@ void pcl::FilmstickingPP<PointInT>::guarded(Compute compute) noexcept {
   vertex_indices_.clear();
   face_gaps_.clear();
   face_stability_.clear();
+  normals_.clear();
   try {
     if (checkInput()) compute();
   } catch (const std::bad_alloc&) {
@@ -297,6 +316,7 @@ void pcl::FilmstickingPP<PointInT>::guarded(Compute compute) noexcept {
   vertex_indices_.clear();
   face_gaps_.clear();
   face_stability_.clear();
+  normals_.clear();
 }
 
 template <typename PointInT>
