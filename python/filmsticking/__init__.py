@@ -76,6 +76,8 @@ def reconstruct(
     open: bool = False,
     max_hole: float = 0,
     viewpoint: Optional[Sequence[float]] = None,
+    viewpoints: Optional[ArrayLike] = None,
+    view_direction: Optional[Sequence[float]] = None,
     keep_outliers: bool = False,
     sharp_edges: bool = True,
     stability: bool = False,
@@ -91,7 +93,9 @@ def reconstruct(
     open: the result may have a boundary; faces that no data support are left out.
     max_hole: as `open`, but holes of at most this diameter, in the unit of the points, get a lid; 0: none.
         report.holes lists all holes.
-    viewpoint: (3,) where all points were seen from, if they do not reveal it.
+    viewpoint: (3,) where all points were seen from. What is between is outside, what is just behind inside.
+    viewpoints: (n, 3) where each point was seen from, instead; NaN: unknown.
+    view_direction: (3,) the way in which a far sensor looked at all points, instead; (0, 0, -1): from above.
     keep_outliers: mesh points that are far from all others, too.
     sharp_edges: flip edges to lie along sharp edges.
     stability: fill Mesh.stability, in about a tenth more time.
@@ -109,7 +113,10 @@ def reconstruct(
     options = _core.Options()
     options.open_boundary = bool(open)
     options.max_hole = float(max_hole)
-    options.viewpoint = None if viewpoint is None else _place(viewpoint)
+    options.viewpoint = None if viewpoint is None else _place("viewpoint", viewpoint)
+    options.view_direction = None if view_direction is None else _place("view_direction", view_direction)
+    if viewpoints is not None:
+        _core.set_viewpoints(options, np.ascontiguousarray(_rows_of_three(viewpoints), dtype=np.float64))
     options.keep_outliers = bool(keep_outliers)
     options.sharp_edges = bool(sharp_edges)
     options.stability = bool(stability)
@@ -158,8 +165,8 @@ def _integer(name: str, value: int, end: int) -> int:
     return number
 
 
-def _place(viewpoint: Sequence[float]) -> Tuple[float, float, float]:
-    place = np.asarray(viewpoint, dtype=np.float64)
+def _place(name: str, numbers: Sequence[float]) -> Tuple[float, float, float]:
+    place = np.asarray(numbers, dtype=np.float64)
     if place.shape != (3,):
-        raise ValueError(f"viewpoint must have the shape (3,), not {place.shape}")
+        raise ValueError(f"{name} must have the shape (3,), not {place.shape}")
     return (float(place[0]), float(place[1]), float(place[2]))

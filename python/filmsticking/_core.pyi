@@ -23,11 +23,14 @@ class Options:
     open_boundary: bool
     max_hole: float
     viewpoint: Optional[Tuple[float, float, float]]
+    view_direction: Optional[Tuple[float, float, float]]
     keep_outliers: bool
     sharp_edges: bool
     stability: bool
     threads: int
     max_memory: int
+
+def set_viewpoints(options: Options, places: NDArray[np.float64]) -> None: ...
 
 class Hole:
     @property

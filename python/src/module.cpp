@@ -106,11 +106,19 @@ void add_options(py::module_& module) {
       .def_readwrite("open_boundary", &Options::open_boundary)
       .def_readwrite("max_hole", &Options::max_hole)
       .def_readwrite("viewpoint", &Options::viewpoint)
+      .def_readwrite("view_direction", &Options::view_direction)
       .def_readwrite("keep_outliers", &Options::keep_outliers)
       .def_readwrite("sharp_edges", &Options::sharp_edges)
       .def_readwrite("stability", &Options::stability)
       .def_readwrite("threads", &Options::threads)
       .def_readwrite("max_memory", &Options::max_memory);
+  // Rows of three, contiguous.
+  module.def("set_viewpoints", [](Options& options, const py::array_t<double>& places) {
+    const auto rows = places.unchecked<2>();
+    std::vector<Point> copy;
+    for (py::ssize_t i = 0; i < rows.shape(0); ++i) copy.push_back({rows(i, 0), rows(i, 1), rows(i, 2)});
+    options.viewpoints = std::make_shared<const std::vector<Point>>(std::move(copy));
+  });
 }
 
 void add_report(py::module_& module) {

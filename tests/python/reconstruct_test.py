@@ -44,6 +44,23 @@ class Reconstruct(unittest.TestCase):
         self.assertTrue(mesh.report.closed and mesh.report.manifold)
         self.assertEqual(mesh.status, filmsticking.Status.Ok)
 
+    def test_an_open_surface_shows_its_front_to_what_saw_it(self):
+        rng = np.random.default_rng(1)
+        x, y = rng.uniform(-1, 1, (2, 3000))
+        hills = np.column_stack([x, y, 0.3 * np.exp(-4 * (x * x + y * y))])
+        for side in (-1, 1):
+            for seen in (
+                {"viewpoints": hills + (0, 0, 5 * side)},
+                {"viewpoint": (0, 0, 50 * side)},
+                {"view_direction": (0, 0, -side)},
+            ):
+                mesh = filmsticking.reconstruct(hills, open=True, **seen)
+                a, b, c = (mesh.points[mesh.triangles[:, k]] for k in range(3))
+                up = np.cross(b - a, c - a)[:, 2] * side
+                self.assertGreater(up[up > 0].sum(), 0.95 * np.abs(up).sum(), seen)
+        with self.assertRaisesRegex(filmsticking.Error, "viewpoints"):
+            filmsticking.reconstruct(hills, viewpoints=hills[:5])
+
     def test_any_type_and_layout_of_the_same_numbers_gives_the_same_mesh(self):
         single = sphere(800).astype(np.float32)
         expected = filmsticking.reconstruct(single)
