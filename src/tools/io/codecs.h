@@ -10,18 +10,17 @@
 
 #include "bytes.h"
 #include "cloud.h"
+#include "point_layout.h"
 
 namespace filmsticking::io {
 
-/// A PCD file (ascii, binary, binary_compressed) with all fields. x, y, z of other types than FLOAT32 become
-/// FLOAT64. The order of the header's lines is free.
+/// A PCD file (ascii, binary, binary_compressed) with all fields, as PointLayout makes them. The order of the
+/// header's lines is free.
 Cloud decode_pcd(std::string_view bytes);
 
-/// A PLY file (ascii, binary of either byte order) with all scalar properties of the vertices, under their
-/// names and types. Byte properties red, green, blue become PCL's field rgb, or rgba with alpha; nx, ny, nz
-/// become normal_x, normal_y, normal_z. x, y, z of other types than float become FLOAT64. Lists of vertices
-/// and other elements are skipped.
-pcl::PolygonMesh decode_ply(std::string_view bytes);
+/// A PLY file (ascii, binary of either byte order) with all scalar properties of the vertices, as PointLayout
+/// makes them. Lists of vertices and other elements are skipped. `notes`, if any, is set.
+pcl::PolygonMesh decode_ply(std::string_view bytes, Notes* notes = nullptr);
 
 /// Vertices, with colours where every vertex has one, and faces of a Wavefront OBJ file.
 pcl::PolygonMesh decode_obj(std::string_view bytes);
@@ -60,6 +59,9 @@ void encode_glb(const pcl::PCLPointCloud2& vertices, const std::vector<Triangle>
 
 /// Appends a polygon as a fan of triangles.
 void append_polygon(const std::vector<std::int32_t>& corners, std::vector<Triangle>& triangles);
+
+/// Refuses a word of a text file that should be a number; `word` lies in `file`. Throws IoError.
+[[noreturn]] void throw_no_number(std::string_view file, std::string_view word);
 
 /// A file's number of a vertex, from zero. Throws IoError if it cannot be one.
 std::int32_t corner_index(double value);

@@ -180,6 +180,16 @@ void write_mesh(const std::string& path, const pcl::PolygonMesh& mesh) {
   write_mesh(path, mesh.cloud, triangles_of(mesh.polygons));
 }
 
+void throw_no_number(std::string_view file, std::string_view word) {
+  constexpr std::size_t kShown = 30;
+  std::string shown(word.substr(0, kShown));
+  for (char& c : shown)
+    if (c < ' ' || c > '~') c = '?';
+  throw IoError("line " +
+                std::to_string(line_number(file, static_cast<std::size_t>(word.data() - file.data()))) +
+                ": '" + shown + (word.size() > kShown ? ".." : "") + "' is no number of its column's type");
+}
+
 void append_polygon(const std::vector<std::int32_t>& corners, std::vector<Triangle>& triangles) {
   for (std::size_t k = 2; k < corners.size(); ++k)
     triangles.push_back({corners[0], corners[k - 1], corners[k]});

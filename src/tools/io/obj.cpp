@@ -37,7 +37,7 @@ pcl::PolygonMesh decode_obj(std::string_view bytes) {
   std::size_t number = 0;
   for (std::string_view text; file.line(text);) {
     ++number;
-    TextScanner line(text);
+    TextScanner line(text, TextScanner::kBlanks);
     const std::string_view keyword = line.word();
     if (keyword == "v") {
       Point p{};
