@@ -31,15 +31,9 @@ std::string shown(const std::string& path, const char* stream) {
 }
 
 io::Cloud read_input(const std::string& path, const CommandLine& command) {
-  const std::int64_t most = command.options.max_memory;
-  if (path != kStandardStream && command.from.empty()) return io::read_cloud(path, most);
-  const std::string bytes =
-      path == kStandardStream ? io::read_standard_input(most, &stop_asked) : io::read_file(path, most);
-  const std::string known = command.from.empty() ? io::detect_format(bytes) : command.from;
-  if (known.empty()) throw io::IoError("its format is not recognised; --format names it");
-  io::Cloud cloud = io::decode_cloud(known, bytes);
-  if (io::size_of(cloud.points) == 0) throw io::IoError("there are no points in it");
-  return cloud;
+  const io::ReadOptions options{command.options.max_memory, command.from, command.columns};
+  if (path != kStandardStream) return io::read_cloud(path, options);
+  return io::decode_any(io::read_standard_input(options.most, &stop_asked), "", options);
 }
 
 /// Refuses an output that could not be written, before the work.

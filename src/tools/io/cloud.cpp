@@ -16,12 +16,6 @@ namespace {
 constexpr const char* kAxes[3] = {"x", "y", "z"};
 constexpr const char* kViewpointAxes[3] = {"vp_x", "vp_y", "vp_z"};
 
-/// A finite value past the range of float must not be cast.
-float to_float(double x) {
-  constexpr double kMost = std::numeric_limits<float>::max();
-  return std::isfinite(x) ? static_cast<float>(std::clamp(x, -kMost, kMost)) : static_cast<float>(x);
-}
-
 bool is_finite(const Point& p) {
   return std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });
 }
@@ -69,12 +63,16 @@ bool keeps_apart(std::vector<Point>& points) {
 
 bool float_exact(const Point& p) {
   return std::all_of(p.begin(), p.end(), [](double x) {
-    // A finite value past the range of float must not be cast.
-    return std::isnan(x) || std::isinf(x) || (std::abs(x) < 3e38 && static_cast<float>(x) == x);
+    return std::isnan(x) || double{to_float(x)} == x;
   });
 }
 
 }  // namespace
+
+float to_float(double x) {
+  constexpr double kMost = std::numeric_limits<float>::max();
+  return std::isfinite(x) ? static_cast<float>(std::clamp(x, -kMost, kMost)) : static_cast<float>(x);
+}
 
 void check_fields(const pcl::PCLPointCloud2& cloud) {
   for (const pcl::PCLPointField& field : cloud.fields)
@@ -243,6 +241,21 @@ pcl::PCLPointCloud2 with_positions(const pcl::PCLPointCloud2& cloud, const std::
     std::copy_n(bytes_of(cloud, i), cloud.point_step, to + kAhead);
   }
   return moved;
+}
+
+pcl::PCLPointCloud2 with_stations(const pcl::PCLPointCloud2& cloud, const std::vector<Point>& stations) {
+  std::vector<pcl::PCLPointField> fields = cloud.fields;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    fields.push_back(make_field(kStationFields[axis], cloud.point_step + axis * sizeof(double),
+                                pcl::PCLPointField::FLOAT64));
+  pcl::PCLPointCloud2 placed =
+      make_rows(std::move(fields), cloud.point_step + sizeof(Point), stations.size());
+  std::uint8_t* to = placed.data.data();
+  for (std::size_t i = 0; i < stations.size(); ++i, to += placed.point_step) {
+    std::copy_n(bytes_of(cloud, i), cloud.point_step, to);
+    std::memcpy(to + cloud.point_step, stations[i].data(), sizeof(Point));
+  }
+  return placed;
 }
 
 pcl::PCLPointCloud2 with_float_positions(pcl::PCLPointCloud2 cloud) {

@@ -28,6 +28,9 @@ struct Cloud {
   std::vector<std::string> notes = {};  ///< how the file was read, where that is not plain: sentences
 };
 
+/// The float next to x; the largest for what is beyond, but finite.
+float to_float(double x);
+
 /// Refuses a cloud whose fields do not lie within a point, or whose points do not lie within its bytes.
 /// Throws IoError.
 void check_fields(const pcl::PCLPointCloud2& cloud);
@@ -101,6 +104,9 @@ pcl::PCLPointCloud2 with_float_positions(pcl::PCLPointCloud2 cloud);
 /// millionth of the box's diagonal, and coordinates that are whole thousandths, or tenths of them, keep their
 /// digits. Points that are not finite do not count. Throws IoError as PositionFields does.
 bool float_suffices(const pcl::PCLPointCloud2& cloud);
+
+/// The cloud with the fields of kStationFields: where each point was seen from.
+pcl::PCLPointCloud2 with_stations(const pcl::PCLPointCloud2& cloud, const std::vector<Point>& stations);
 
 /// Points of the cloud, with all their bytes, in one row.
 pcl::PCLPointCloud2 select(const pcl::PCLPointCloud2& cloud, const std::vector<int>& points);
