@@ -62,9 +62,7 @@ bool keeps_apart(std::vector<Point>& points) {
 }
 
 bool float_exact(const Point& p) {
-  return std::all_of(p.begin(), p.end(), [](double x) {
-    return std::isnan(x) || double{to_float(x)} == x;
-  });
+  return std::all_of(p.begin(), p.end(), [](double x) { return std::isnan(x) || double{to_float(x)} == x; });
 }
 
 }  // namespace

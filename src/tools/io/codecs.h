@@ -29,18 +29,19 @@ pcl::PolygonMesh decode_obj(std::string_view bytes);
 /// An STL file, binary or text; equal corners become one vertex.
 pcl::PolygonMesh decode_stl(std::string_view bytes);
 
-/// Points, polygons and triangle strips of a legacy VTK file of polygonal data, or the points of an unstructured
-/// or structured grid, text or binary, up to version 5.1. The first scalars of three or four unsigned bytes are colours. All else is skipped.
-/// Source of the format: "VTK File Formats" of the VTK User's Guide.
+/// Points, polygons and triangle strips of a legacy VTK file of polygonal data, or the points of an
+/// unstructured or structured grid, text or binary, up to version 5.1. The first scalars of three or four
+/// unsigned bytes are colours. All else is skipped. Source of the format: "VTK File Formats" of the VTK
+/// User's Guide.
 pcl::PolygonMesh decode_vtk(std::string_view bytes, Notes* notes = nullptr);
 
-/// A table of points as text, one a line. `columns`: names of its columns, "_" for none; empty: they are taken
-/// from the file's header, or from what the columns can be, and notes say so. Named columns are kept as fields.
-/// Comments, headings and a trailer are skipped; lines that do not fit the others are refused.
+/// A table of points as text, one a line. `columns`: names of its columns, "_" for none; empty: they are
+/// taken from the file's header, or from what the columns can be, and notes say so. Named columns are kept as
+/// fields. Comments, headings and a trailer are skipped; lines that do not fit the others are refused.
 Cloud decode_xyz(std::string_view bytes, const std::vector<std::string>& columns = {});
 
-/// The stations of a Leica PTX file, moved by their matrices, with colours where all have them. Points without
-/// a return (0 0 0) are not finite. The fields of kStationFields have each point's station.
+/// The stations of a Leica PTX file, moved by their matrices, with colours where all have them. Points
+/// without a return (0 0 0) are not finite. The fields of kStationFields have each point's station.
 Cloud decode_ptx(std::string_view bytes);
 
 /// A station of a PTX file.

@@ -94,10 +94,10 @@ struct Format {
   bool reads_cloud, reads_mesh, writes_mesh;
 };
 constexpr Format kFormats[] = {
-    {"pcd", true, false, false}, {"ply", true, true, true},   {"obj", true, true, true},
-    {"stl", true, true, true},   {"vtk", true, true, true},   {"off", true, true, false},
-    {"las", true, false, false}, {"ptx", true, false, false}, {"pts", true, false, false},
-    {"xyz", true, false, false}, {"txt", true, false, false}, {"csv", true, false, false},
+    {"pcd", true, false, false}, {"ply", true, true, true},    {"obj", true, true, true},
+    {"stl", true, true, true},   {"vtk", true, true, true},    {"off", true, true, false},
+    {"las", true, false, false}, {"ptx", true, false, false},  {"pts", true, false, false},
+    {"xyz", true, false, false}, {"txt", true, false, false},  {"csv", true, false, false},
     {"asc", true, false, false}, {"grid", true, false, false}, {"glb", false, false, true},
 };
 
@@ -111,6 +111,7 @@ std::vector<std::string> formats_where(Wanted wanted) {
 
 /// The format of a file's content; else that of its extension, which then says what is wrong.
 std::string content_format(const std::string& extension, std::string_view bytes) {
+  refuse_unread_formats(bytes, "");
   const std::string found = detect_format(bytes);
   if (!found.empty()) return found;
   refuse_unread_formats(bytes, extension);

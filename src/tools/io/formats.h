@@ -17,13 +17,14 @@ namespace filmsticking::io {
 
 /// How a file of points is read.
 struct ReadOptions {
-  std::int64_t most = 0;             ///< bytes, as of read_file()
-  std::string format = {};           ///< of cloud_formats(); empty: by the content
-  std::vector<std::string> columns = {};  ///< names of the columns of a text, "_" for none; empty: by the text
+  std::int64_t most = 0;    ///< bytes, as of read_file()
+  std::string format = {};  ///< of cloud_formats(); empty: by the content
+  std::vector<std::string> columns =
+      {};  ///< names of the columns of a text, "_" for none; empty: by the text
 };
 
-/// The names of the formats of points: pcd ply obj stl vtk off las ptx pts xyz txt csv asc grid. pts, xyz, txt,
-/// csv and asc are the same: tables as text.
+/// The names of the formats of points: pcd ply obj stl vtk off las ptx pts xyz txt csv asc grid. pts, xyz,
+/// txt, csv and asc are the same: tables as text.
 const std::vector<std::string>& cloud_formats();
 
 /// The formats that encode_mesh() writes: ply obj stl vtk glb.
@@ -35,7 +36,8 @@ std::string extensions_of(const std::vector<std::string>& formats);
 /// The format of points that the bytes begin like; empty if none. Text of numbers is xyz.
 std::string detect_format(std::string_view bytes);
 
-/// Points, with all their fields, of a format of cloud_formats(). `columns` as in ReadOptions. Throws IoError.
+/// Points, with all their fields, of a format of cloud_formats(). `columns` as in ReadOptions. Throws
+/// IoError.
 Cloud decode_cloud(const std::string& format, std::string_view bytes,
                    const std::vector<std::string>& columns = {});
 

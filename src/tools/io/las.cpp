@@ -37,8 +37,7 @@ Header parse_header(std::string_view bytes) {
   if (bytes.size() < kHeader) throw_short();
   const char* const at = bytes.data();
   const int minor = load<std::uint8_t>(at + 25);
-  if (load<std::uint8_t>(at + 24) != 1 || minor > 4)
-    throw IoError("its LAS version is none of 1.0 to 1.4");
+  if (load<std::uint8_t>(at + 24) != 1 || minor > 4) throw IoError("its LAS version is none of 1.0 to 1.4");
   Header header;
   const auto format = load<std::uint8_t>(at + 104);
   if (format & 0xc0)
@@ -62,7 +61,8 @@ Header parse_header(std::string_view bytes) {
       throw IoError("the scale or the offset in its LAS header is no number above zero");
   }
   if (header.step < kFormats[header.format].size)
-    throw IoError("its LAS points have " + std::to_string(header.step) + " bytes, fewer than their format has");
+    throw IoError("its LAS points have " + std::to_string(header.step) +
+                  " bytes, fewer than their format has");
   if (header.begin > bytes.size() || header.points > (bytes.size() - header.begin) / header.step)
     throw_short();
   return header;
@@ -98,8 +98,8 @@ struct Layout {
 pcl::PCLPointCloud2 make(const PointFormat& format, std::size_t points, Layout& layout) {
   using Type = pcl::PCLPointField;
   std::vector<pcl::PCLPointField> fields = {
-      make_field("x", 0, Type::FLOAT64), make_field("y", 8, Type::FLOAT64), make_field("z", 16, Type::FLOAT64),
-      make_field("intensity", Layout::kIntensity, Type::UINT16),
+      make_field("x", 0, Type::FLOAT64), make_field("y", 8, Type::FLOAT64),
+      make_field("z", 16, Type::FLOAT64), make_field("intensity", Layout::kIntensity, Type::UINT16),
       make_field("classification", Layout::kClass, Type::UINT8)};
   if (format.time != kNone) {
     layout.time = layout.step;

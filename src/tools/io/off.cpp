@@ -59,7 +59,8 @@ class OffFile {
         (part == "ST" ? kind_.texture : part == "C" ? kind_.colours : kind_.normals) = true;
         word.remove_prefix(part.size());
       }
-    if (!word.empty()) refuse("says that its points have four coordinates, or other dimensions; save it as OFF");
+    if (!word.empty())
+      refuse("says that its points have four coordinates, or other dimensions; save it as OFF");
     words_.erase(words_.begin());
     if (!words_.empty() && words_[0] == "BINARY") refuse("says BINARY; save it as a text");
     if (words_.empty() && !next()) throw_short();
@@ -70,7 +71,8 @@ class OffFile {
 
   std::size_t count(std::size_t k) const {
     long long value = 0;
-    if (!parse_integer(words_[k], value) || value < 0) refuse("does not have the numbers of vertices and faces");
+    if (!parse_integer(words_[k], value) || value < 0)
+      refuse("does not have the numbers of vertices and faces");
     return static_cast<std::size_t>(value);
   }
 

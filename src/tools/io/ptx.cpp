@@ -194,8 +194,7 @@ Cloud decode_ptx(std::string_view bytes) {
 std::vector<Station> decode_stations(std::string_view bytes) {
   PtxFile file(bytes);
   std::vector<Station> stations;
-  for (Scan scan; file.next(scan);)
-    stations.push_back({make_cloud(scan.points, scan.colours), scan.pose});
+  for (Scan scan; file.next(scan);) stations.push_back({make_cloud(scan.points, scan.colours), scan.pose});
   if (stations.empty()) throw IoError("it is not a PTX file");
   return stations;
 }

@@ -27,12 +27,15 @@ constexpr Known kByBytes[] = {
     {"\x28\xb5\x2f\xfd", "it is compressed; unpack it with unzstd"},
     {"PK\x03\x04", "it is a ZIP archive; unpack it with unzip"},
     {"\x89HDF", "it is an HDF5 file; write its points as PLY or text"},
-    {"\xd4\xc3\xb2\xa1", "it is a capture of packets; convert it with the sensor's program, or VeloView, to CSV"},
+    {"\xd4\xc3\xb2\xa1",
+     "it is a capture of packets; convert it with the sensor's program, or VeloView, to CSV"},
     {"\x89PNG", "it is a picture, no cloud"},
     {"\xff\xd8\xff", "it is a picture, no cloud"},
     {"%PDF", "it is a PDF document, no cloud"},
     {"<", "it is XML or HTML; save the points as PLY, legacy VTK or text (ParaView: File, Save Data)"},
-    {"{", "it is JSON; save the points as PLY or text"},
+    {"{\"", "it is JSON; save the points as PLY or text"},
+    {"{\n", "it is JSON; save the points as PLY or text"},
+    {"{ ", "it is JSON; save the points as PLY or text"},
 };
 
 constexpr Known kByExtension[] = {

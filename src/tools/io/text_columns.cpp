@@ -55,11 +55,11 @@ class Triples {
 /// Whether the column numbers the points, or is their time.
 bool is_ahead(const TableFacts& facts, std::size_t k) {
   constexpr double kTimes = 1e8;  // no coordinate in metres is as large; seconds since 1970 and GPS times are
-  if (facts.rows < 2) return false;
+  if (facts.rows < 3) return false;
   const ColumnFacts& column = facts.columns[k];
   if (column.rises && column.least >= kTimes) return true;
-  return column.whole && (column.counts || (column.strictly && facts.rows > 2 && !facts.columns[k + 1].whole &&
-                                            !facts.columns[k + 2].whole));
+  return column.whole && (column.counts || (column.strictly && facts.rows > 2 &&
+                                            !facts.columns[k + 1].whole && !facts.columns[k + 2].whole));
 }
 
 void name(std::vector<std::string>& names, std::size_t at, const char* const (&triple)[3]) {
@@ -123,8 +123,8 @@ std::vector<std::string> guessed_columns(const TableFacts& facts, bool counted) 
     throw IoError("a line has fewer than three numbers side by side, and a point needs x, y and z");
   name(names, first, {"x", "y", "z"});
   const std::size_t behind = names.size() - first - 3;
-  const bool intensity_first = behind == 4 && triples.colours(first + 4) &&
-                               (counted || !triples.colours(first + 3));
+  const bool intensity_first =
+      behind == 4 && triples.colours(first + 4) && (counted || !triples.colours(first + 3));
   bool coloured = false, normals = false;
   for (std::size_t k = first + (intensity_first ? 4 : 3); k + 2 < names.size();) {
     if (!normals && triples.normals(k)) {

@@ -12,13 +12,13 @@ namespace filmsticking::io {
 
 /// What the numbers of a column have in common.
 struct ColumnFacts {
-  bool text = false;         ///< its first word is no number
-  bool whole = true;         ///< whole numbers
-  bool single = true;        ///< floats keep every value
-  bool rises = true;         ///< none is smaller than the one before
-  bool strictly = true;      ///< each is larger than the one before
-  bool counts = true;        ///< each is one more than the one before
-  int digits = 0;            ///< most significant digits of a word
+  bool text = false;     ///< its first word is no number
+  bool whole = true;     ///< whole numbers
+  bool single = true;    ///< floats keep every value
+  bool rises = true;     ///< none is smaller than the one before
+  bool strictly = true;  ///< each is larger than the one before
+  bool counts = true;    ///< each is one more than the one before
+  int digits = 0;        ///< most significant digits of a word
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
   double last = 0;
@@ -37,8 +37,8 @@ struct TableFacts {
 };
 
 /// The names of columns without a header: x y z, then "r g b", "nx ny nz", or nothing for what is not known;
-/// a leading number of the point or time is none. `counted`: the file begins with its number of points, as PTS
-/// does, whose colours stand behind an intensity. Throws IoError for fewer than three columns of numbers.
+/// a leading number of the point or time is none. `counted`: the file begins with its number of points, as
+/// PTS does, whose colours stand behind an intensity. Throws IoError for fewer than three columns of numbers.
 std::vector<std::string> guessed_columns(const TableFacts& facts, bool counted);
 
 /// "columns 1 to 3 as x y z, column 4 as intensity" of the names, without those that are empty.

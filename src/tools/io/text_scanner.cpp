@@ -17,20 +17,17 @@ std::string_view without_plus(std::string_view word) {
 
 /// The number as from_chars() knows it; empty if it is none.
 std::string plain_number(std::string_view word) {
-  std::string text(word);
-  std::size_t commas = 0;
-  for (char& c : text) {
-    if (c == ',') c = '.', ++commas;
-    if (c == 'd' || c == 'D') c = 'e';
-  }
-  const bool negative = text[0] == '-';
-  const std::string_view rest = std::string_view(text).substr(negative || text[0] == '+' ? 1 : 0);
-  if (rest.substr(0, 4) == "nan(" || rest.substr(0, 6) == "1.#QNA" || rest.substr(0, 6) == "1.#IND" ||
-      rest.substr(0, 6) == "1.#SNA" || rest == "NA" || rest == "N/A" || rest == "null")
-    return "nan";
+  const bool negative = word[0] == '-';
+  const std::string_view rest = word.substr(negative || word[0] == '+' ? 1 : 0);
+  for (const std::string_view none : {"nan(", "1.#QNAN", "1.#SNAN", "1.#IND"})
+    if (rest.substr(0, none.size()) == none) return "nan";
+  if (rest == "NA" || rest == "N/A" || rest == "null") return "nan";
   if (rest.substr(0, 6) == "1.#INF") return negative ? "-inf" : "inf";
-  const bool one_point = commas <= 1 && std::count(text.begin(), text.end(), '.') <= 1;
-  return one_point ? text : "";
+  std::string text(word);
+  std::replace(text.begin(), text.end(), ',', '.');
+  for (char& c : text)
+    if (c == 'd' || c == 'D') c = 'e';
+  return std::count(text.begin(), text.end(), '.') <= 1 ? text : "";
 }
 
 float out_of_range(const char* word, float) { return std::strtof(word, nullptr); }

@@ -52,7 +52,8 @@ void each_chunk(std::string_view line, const Use& use) {
     const char c = i < line.size() ? line[i] : ' ';
     if (c == '"') quoted = !quoted;
     const bool ends = i == line.size() || c == '"' || c == ';' ||
-                      (!quoted && kBlanks.find(c) != std::string_view::npos) || (c == ',' && !quoted && i > 0 && line[i - 1] == '"');
+                      (!quoted && kBlanks.find(c) != std::string_view::npos) ||
+                      (c == ',' && !quoted && i > 0 && line[i - 1] == '"');
     if (!ends) continue;
     const std::string_view chunk = trimmed(line.substr(begin, i - begin), kAround);
     if (!chunk.empty()) use(chunk);
@@ -63,12 +64,12 @@ void each_chunk(std::string_view line, const Use& use) {
 /// What a sample of lines with numbers has between them.
 struct Evidence {
   std::size_t lines = 0, semicolons = 0, tabs = 0, commas = 0;  // lines with two of them at least
-  bool points = false;           // a number with a decimal point
-  bool thousands = false;        // "1,234.5"
-  bool both_in_word = false;     // "1.234,5"
-  bool decimal_words = true;     // each word has at most one comma, between digits
-  bool inner_blanks = false;     // numbers with only blanks between them, beside other separators
-  bool leading_zeros = false;    // behind a comma, as in "0,05"
+  bool points = false;                                          // a number with a decimal point
+  bool thousands = false;                                       // "1,234.5"
+  bool both_in_word = false;                                    // "1.234,5"
+  bool decimal_words = true;   // each word has at most one comma, between digits
+  bool inner_blanks = false;   // numbers with only blanks between them, beside other separators
+  bool leading_zeros = false;  // behind a comma, as in "0,05"
   std::size_t fewest_words = std::numeric_limits<std::size_t>::max();
   bool has_comma = false;
   bool quoted_words = false;  // commas between quotes, as in "0,5","1,5"
@@ -136,10 +137,10 @@ bool has_two_numbers(std::string_view line) {
 TextStyle chosen(const Evidence& seen) {
   TextStyle style;
   const bool most_semicolons = 2 * seen.semicolons > seen.lines;
-  if (seen.has_comma && seen.thousands && seen.fewest_words >= 3) refuse_commas("there is a number like 1,234.5");
+  if (seen.has_comma && seen.thousands && seen.fewest_words >= 3)
+    refuse_commas("there is a number like 1,234.5");
   if (seen.both_in_word && seen.fewest_words >= 3) refuse_commas("there is a number like 1.234,5");
-  const bool decimal_commas =
-      seen.has_comma && !seen.points && seen.decimal_words && seen.fewest_words >= 3;
+  const bool decimal_commas = seen.has_comma && !seen.points && seen.decimal_words && seen.fewest_words >= 3;
   const bool separating_commas = seen.has_comma && !decimal_commas;
   if (separating_commas && !seen.points && seen.leading_zeros && !most_semicolons)
     refuse_commas("there is 0 behind one");
@@ -170,12 +171,17 @@ void split_at(std::string_view line, char separator, std::vector<std::string_vie
 void split_at_blanks(std::string_view line, std::size_t number, bool commas_too,
                      std::vector<std::string_view>& words) {
   constexpr std::string_view kSeparators = " \t\v\f\r\"'[](){};,";
-  const std::string_view separators = commas_too ? kSeparators : kSeparators.substr(0, kSeparators.size() - 1);
+  const std::string_view separators =
+      commas_too ? kSeparators : kSeparators.substr(0, kSeparators.size() - 1);
   std::size_t marks = 0;  // commas and semicolons since the last word
   std::size_t begin = std::string_view::npos;
   for (std::size_t i = 0; i <= line.size(); ++i) {
     const char c = i < line.size() ? line[i] : ' ';
-    const bool separates = separators.find(c) != std::string_view::npos;
+    const bool in_word = begin != std::string_view::npos;
+    const bool closes =
+        c == ')' && in_word && line.substr(begin, i - begin).find('(') != std::string_view::npos;
+    const bool separates =
+        separators.find(c) != std::string_view::npos && !(c == '(' && in_word) && !closes;  // nan(ind)
     if (separates) {
       if (begin != std::string_view::npos) words.push_back(line.substr(begin, i - begin)), marks = 0;
       begin = std::string_view::npos;
@@ -225,8 +231,14 @@ bool is_comment(std::string_view line) {
 }
 
 std::string_view without_comment(std::string_view line) {
-  const std::size_t end = std::min(line.find('#'), line.find("//"));
-  return line.substr(0, end);
+  for (std::size_t at = line.find_first_of("#/"); at != std::string_view::npos;
+       at = line.find_first_of("#/", at + 1)) {
+    const bool mark = line[at] == '#' || line.substr(at, 2) == "//";
+    const bool begins_word =
+        at == 0 || std::string_view(" \t,;").find(line[at - 1]) != std::string_view::npos;
+    if (mark && begins_word) return line.substr(0, at);
+  }
+  return line;
 }
 
 void split(std::string_view line, std::size_t number, const TextStyle& style,

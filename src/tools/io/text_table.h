@@ -12,8 +12,8 @@ namespace filmsticking::io {
 
 /// How the words of a line are separated.
 struct TextStyle {
-  char separator = 0;      ///< one between two words, so that a word may be empty; 0: blanks, any number of them
-  bool commas_too = false;  ///< with blanks, commas separate as well
+  char separator = 0;  ///< one between two words, so that a word may be empty; 0: blanks, any number of them
+  bool commas_too = false;      ///< with blanks, commas separate as well
   bool decimal_commas = false;  ///< commas are decimal points
 };
 

@@ -154,7 +154,8 @@ class Survey {
                           std::to_string(header_.names.size()));
     if (header_.list) columns = header_.names.size(), ragged_ = true;
     if (named_ > columns)
-      refuse(number_, "has " + numbered(columns, "column") + ", and --columns names " + std::to_string(named_));
+      refuse(number_,
+             "has " + numbered(columns, "column") + ", and --columns names " + std::to_string(named_));
     facts_.columns.resize(columns);
     for (std::size_t k = 0; k < columns; ++k) facts_.columns[k].text = !number_of(words_[k]);
     colmap_ = !header_.complete() && looks_like_colmap();
@@ -286,9 +287,12 @@ std::vector<Column> typed(const std::vector<std::string>& names, const TableFact
     const Role role = role_of(names[k]);
     if (role == Role::X || role == Role::Y || role == Role::Z) single &= c.single;
     const bool fits = c.least >= INT32_MIN && c.most <= INT32_MAX;
-    Scalar type = c.whole && fits ? Scalar::Int32 : c.digits <= kSingleDigits ? Scalar::Float : Scalar::Double;
+    Scalar type = c.whole && fits             ? Scalar::Int32
+                  : c.digits <= kSingleDigits ? Scalar::Float
+                                              : Scalar::Double;
     if (role >= Role::Red && role <= Role::Alpha) type = Scalar::Float;  // 1 may be the most, or next to none
-    if (role == Role::PackedColour) type = c.whole && c.least >= 0 && c.most <= UINT32_MAX ? Scalar::UInt32 : Scalar::Float;
+    if (role == Role::PackedColour)
+      type = c.whole && c.least >= 0 && c.most <= UINT32_MAX ? Scalar::UInt32 : Scalar::Float;
     columns.push_back({c.text ? "" : names[k], type});
   }
   for (Column& column : columns) {

@@ -391,19 +391,22 @@ TEST(Obj, AColourThatIsNoNumberIsNone) {
 }
 
 TEST(Xyz, SeparatorsCommentsAndHeadingsAreUnderstood) {
-  const Model model = io::decode_xyz(
-      "3\nX,Y,Z,Intensity\n# comment\n// another\n\n0.1 0.2 0.3\n1,2,3,0.5\r\n\t4; 5; 6\nnan NaN "
-      "inf\n7\t8\t9");
-  ASSERT_EQ(model.positions.size(), 5u);
-  EXPECT_EQ(model.positions[0], (Point{0.1, 0.2, 0.3}));
-  EXPECT_EQ(model.positions[1], (Point{1, 2, 3}));
-  EXPECT_EQ(model.positions[2], (Point{4, 5, 6}));
-  EXPECT_TRUE(std::isnan(model.positions[3][0]));
-  EXPECT_EQ(model.positions[4], (Point{7, 8, 9}));
+  for (const char* separator : {" ", ",", ";", "\t", ", ", "  "}) {
+    std::string text = "4\na heading\n# comment\n// another\n\n0.1 0.2 0.3\n1 2 3\r\n\nnan NaN inf\n7 8 9";
+    for (std::size_t at = text.find("0.1"); (at = text.find(' ', at)) != std::string::npos;
+         at += std::string_view(separator).size())
+      text.replace(at, 1, separator);
+    const Model model = io::decode_xyz(text);
+    ASSERT_EQ(model.positions.size(), 4u) << text;
+    EXPECT_EQ(model.positions[0], (Point{0.1, 0.2, 0.3}));
+    EXPECT_EQ(model.positions[1], (Point{1, 2, 3}));
+    EXPECT_TRUE(std::isnan(model.positions[2][0]));
+    EXPECT_EQ(model.positions[3], (Point{7, 8, 9}));
+  }
 }
 
 TEST(Xyz, WholeNumbersUpTo255AreColours) {
-  EXPECT_EQ(Model(io::decode_xyz("0 0 0 255 128 0\n1 0 0 1 2 3 0.5\n")).colours,
+  EXPECT_EQ(Model(io::decode_xyz("0 0 0 255 128 0\n1 0 0 1 2 3\n")).colours,
             (std::vector<Colour>{{255, 128, 0}, {1, 2, 3}}));
   EXPECT_TRUE(Model(io::decode_xyz("0 0 0 0 0 1\n1 0 0 0 1 0\n")).colours.empty());  // normals
   EXPECT_TRUE(Model(io::decode_xyz("0 0 0 0.5 0 0.5\n1 0 0 255 0 0\n")).colours.empty());
