@@ -16,6 +16,7 @@ constexpr const char* kStandardStream = "-";
 struct Task {
   std::string input;
   std::string output;
+  std::vector<std::string> more = {};  ///< further files of the same cloud
 };
 
 /// The command line of pcd_to_mesh.
@@ -25,11 +26,13 @@ struct CommandLine {
   std::string folder;  ///< of a batch
   std::string
       from;  ///< the format of the inputs; empty: by the name of a file, by the content of standard input
-  std::string to = "ply";  ///< the format of standard output and of a batch
+  std::string to = "ply";            ///< the format of standard output and of a batch
   std::vector<std::string> columns;  ///< names of the columns of texts; empty: by the text
-  std::string report;      ///< JSON file; empty: none
-  std::string dump_steps;  ///< folder for the film after each step; empty: none
-  int jobs = 1;            ///< tasks at a time
+  std::string report;                ///< JSON file; empty: none
+  std::string dump_steps;            ///< folder for the film after each step; empty: none
+  bool merge = false;                ///< all inputs are one cloud
+  bool doubles = false;  ///< write double coordinates even where single precision tells the points apart
+  int jobs = 1;          ///< tasks at a time
   filters::FilterOptions filters;
   Options options;
   bool help = false;

@@ -16,6 +16,7 @@
 #include "filters/filter_chain.h"
 #include "io/files.h"
 #include "io/formats.h"
+#include "io/merge.h"
 #include "io/with_file.h"
 #include "step_dump.h"
 
@@ -30,10 +31,29 @@ std::string shown(const std::string& path, const char* stream) {
   return path == kStandardStream ? stream : path;
 }
 
-io::Cloud read_input(const std::string& path, const CommandLine& command) {
-  const io::ReadOptions options{command.options.max_memory, command.from, command.columns};
-  if (path != kStandardStream) return io::read_cloud(path, options);
-  return io::decode_any(io::read_standard_input(options.most, &stop_asked), "", options);
+/// A file's cloud; what is to be said of it goes to `notes`.
+io::Cloud read_input(const std::string& path, const CommandLine& command, std::vector<std::string>& notes) {
+  const std::string name = shown(path, "standard input");
+  return with_file(name, [&] {
+    const io::ReadOptions options{command.options.max_memory, command.from, command.columns};
+    io::Cloud cloud = path != kStandardStream
+                          ? io::read_cloud(path, options)
+                          : io::decode_any(io::read_standard_input(options.most, &stop_asked), "", options);
+    for (const std::string& note : cloud.notes) notes.push_back(name + ": " + note);
+    cloud.notes.clear();
+    return cloud;
+  });
+}
+
+/// The clouds of all files of a task as one.
+io::Cloud read_inputs(const Task& task, const CommandLine& command, std::vector<std::string>& notes) {
+  io::Cloud cloud = read_input(task.input, command, notes);
+  for (const std::string& file : task.more) {
+    io::append(cloud, read_input(file, command, notes));
+    for (const std::string& note : cloud.notes) notes.push_back(file + ": " + note);
+    cloud.notes.clear();
+  }
+  return cloud;
 }
 
 /// Refuses an output that could not be written, before the work.
@@ -47,6 +67,8 @@ void check_output(const Task& task, const CommandLine& command) {
     throw io::IoError("its extension is none of " + io::extensions_of(io::mesh_formats()));
   std::error_code error;
   if (fs::equivalent(task.input, task.output, error)) throw io::IoError("it is the input");
+  for (const std::string& file : task.more)
+    if (fs::equivalent(file, task.output, error)) throw io::IoError("it is an input");
   io::check_writable(task.output);
 }
 
@@ -63,7 +85,7 @@ io::Cloud read_and_filter(const Task& task, const CommandLine& command, TaskResu
   RunFacts& facts = outcome.facts;
   io::Cloud cloud;
   try {
-    cloud = with_file(facts.input, [&] { return read_input(task.input, command); });
+    cloud = read_inputs(task, command, facts.notes);
   } catch (const io::IoError&) {
     outcome.interrupted = stop_asked;
     throw;
@@ -132,6 +154,8 @@ void run(const Task& task, const CommandLine& command, const Progress& progress,
   if (command.options.stability)
     vertices =
         with_file(outcome.facts.input, [&] { return coloured_by_stability(vertices, outcome.result); });
+  if (!command.doubles && io::float_suffices(vertices))
+    vertices = io::with_float_positions(std::move(vertices));
   with_file(outcome.facts.output, [&] { write_output(task, command, vertices, outcome.result.triangles); });
 }
 
@@ -141,6 +165,7 @@ TaskResult run_task(const Task& task, const CommandLine& command, const Progress
   const auto begin = std::chrono::steady_clock::now();
   TaskResult outcome;
   outcome.facts.input = shown(task.input, "standard input");
+  if (!task.more.empty()) outcome.facts.input += " and " + std::to_string(task.more.size()) + " more";
   outcome.facts.output = shown(task.output, "standard output");
   try {
     run(task, command, progress, outcome);

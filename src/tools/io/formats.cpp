@@ -7,6 +7,7 @@
 #include "codecs.h"
 #include "files.h"
 #include "io_error.h"
+#include "no_return.h"
 #include "refused_formats.h"
 #include "text_scanner.h"
 #include "text_table.h"
@@ -226,6 +227,8 @@ Cloud decode_any(std::string_view bytes, const std::string& extension, const Rea
   const std::string format = options.format.empty() ? content_format(extension, bytes) : options.format;
   Cloud cloud = decode_cloud(format, bytes, options.columns);
   if (size_of(cloud.points) == 0) throw IoError("there are no points in it");
+  if (const std::size_t missing = mark_missing_heights(cloud.points); missing > 0)
+    cloud.notes.push_back("left out " + std::to_string(missing) + " points without a height");
   return cloud;
 }
 

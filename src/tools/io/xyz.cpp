@@ -260,7 +260,8 @@ std::vector<std::string> chosen_columns(const Survey& survey, const std::vector<
       const Role role = role_of(names[k]);
       const bool position = role == Role::X || role == Role::Y || role == Role::Z;
       if (facts.columns[k].text && position) throw IoError("its column " + names[k] + " has no numbers");
-      if (facts.columns[k].text || role == Role::Number) names[k].clear();
+      const bool of_colmap = survey.ragged() && names[k] == "error";  // of a point, not of the surface
+      if (facts.columns[k].text || role == Role::Number || of_colmap) names[k].clear();
     }
     const std::string out = left_out_text(names);
     if (!out.empty()) notes.push_back("left out " + out + "; --columns says otherwise");

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""make_corpus.py FOLDER: writes one ellipsoid of 600 coloured points in every variant of every format.
+"""make_corpus.py FOLDER [POINTS]: writes one ellipsoid of 600 coloured points in every variant of every format.
 
 FOLDER/truth.txt has a line a point: x y z r g b nx ny nz. FOLDER/manifest.tsv has a line a variant:
 
@@ -18,7 +18,8 @@ import struct
 import sys
 from pathlib import Path
 
-N = 600
+N = int(sys.argv[2]) if len(sys.argv) > 2 else 600  # a multiple of 20
+HALF = N // 2
 GOLDEN = math.pi * (3 - math.sqrt(5))
 
 
@@ -165,21 +166,21 @@ def make_text():
     read("heading.xyz", text(plain, head="a scan of an ellipsoid\nmade for a test\n"))
     read("trailer.xyz", text(plain, tail="END\n"))
     read("trailer_comment.xyz", text(plain, tail="# 600 points\n"))
-    read("trailer_count.txt", text(plain, tail="600\n"))
-    read("count.pts", text(plain, head="600\n"), writer="Leica Cyclone")
-    read("two_blocks.pts", text(plain[:200], head="200\n") + text(plain[200:], head="400\n"), writer="Leica Cyclone")
-    refuse("count_too_large.pts", text(plain, head="601\n"), "announces 601 points")
-    refuse("count_too_small.pts", text(plain, head="599\n"), "announces 599 points")
-    read("molecule.xyz", text(rows(C("C"), P), head="600\nmade by a program\n"), writer="Open Babel")
-    read("molecule_extended.xyz", text(rows(C("Si"), P), head='600\nProperties=species:S:1:pos:R:3\n'), writer="ASE")
+    read("trailer_count.txt", text(plain, tail=f"{N}\n"))
+    read("count.pts", text(plain, head=f"{N}\n"), writer="Leica Cyclone")
+    read("two_blocks.pts", text(plain[:HALF], head=f"{HALF}\n") + text(plain[HALF:], head=f"{N - HALF}\n"), writer="Leica Cyclone")
+    refuse("count_too_large.pts", text(plain, head=f"{N + 1}\n"), f"announces {N + 1} points")
+    refuse("count_too_small.pts", text(plain, head=f"{N - 1}\n"), f"announces {N - 1} points")
+    read("molecule.xyz", text(rows(C("C"), P), head=f"{N}\nmade by a program\n"), writer="Open Babel")
+    read("molecule_extended.xyz", text(rows(C("Si"), P), head=f'{N}\nProperties=species:S:1:pos:R:3\n'), writer="ASE")
     read("name_first.txt", text(rows(lambda p, c, n, i: [f"P{i + 1}"], P)), said="columns 2 to 4 as x y z")
     read("name_last.txt", text(rows(P, C("ground"))), said="without column 4")
     refuse("two_columns.xyz", text([row[:2] for row in plain]), "fewer than three numbers")
     refuse("one_column.xyz", text([row[:1] for row in plain]), "")
-    refuse("short_line.xyz", text(plain[:300] + [plain[300][:2]] + plain[301:]), "line 301")
-    refuse("long_line.xyz", text(plain[:300] + [plain[300] + ["1"]] + plain[301:]), "line 301")
-    refuse("word_in_the_middle.xyz", text(plain[:300] + [["0.1", "0.2", "zero"]] + plain[301:]), "line 301")
-    refuse("text_in_the_middle.xyz", text(plain[:300] + [["scan", "two"]] + plain[301:]), "line 301")
+    refuse("short_line.xyz", text(plain[:HALF] + [plain[HALF][:2]] + plain[HALF + 1:]), f"line {HALF + 1}")
+    refuse("long_line.xyz", text(plain[:HALF] + [plain[HALF] + ["1"]] + plain[HALF + 1:]), f"line {HALF + 1}")
+    refuse("word_in_the_middle.xyz", text(plain[:HALF] + [["0.1", "0.2", "zero"]] + plain[HALF + 1:]), f"line {HALF + 1}")
+    refuse("text_in_the_middle.xyz", text(plain[:HALF] + [["scan", "two"]] + plain[HALF + 1:]), f"line {HALF + 1}")
     refuse("prose.txt", "There is nothing here.\nNo numbers at all.\n", "no line has three numbers")
     refuse("separators.csv", text([row if i != 5 else [row[0], "", "", row[1], row[2]] for i, row in enumerate(plain)], ","),
            "line 6")
@@ -201,7 +202,7 @@ def make_text():
     read("header_zyx.csv", text(rows(lambda p, c, n, i: xyz(p)[::-1]), ",", head="z,y,x\n"))
     refuse("header_xy.csv", text([row[:2] + ["1"] for row in plain], ",", head="x,y,w\n"), "no z")
     refuse("header_longer.csv", text(plain, ",", head="x,y,z,r\n"), "the header names 4")
-    read("header_repeated.csv", text(plain[:300], ",", head="x,y,z\n") + text(plain[300:], ",", head="x,y,z\n"))
+    read("header_repeated.csv", text(plain[:HALF], ",", head="x,y,z\n") + text(plain[HALF:], ",", head="x,y,z\n"))
     read("header_id.csv", text(rows(ID, P), ",", head="ID,X,Y,Z\n"), said="left out column 1")
     read("header_id_last.csv", text(rows(P, ID), ",", head="X,Y,Z,ID\n"), said="left out column 4")
     read("header_time.csv", text(rows(T, P), ",", head="time,x,y,z\n"), fields="time")
@@ -213,7 +214,7 @@ def make_text():
     read("header_rgb_real.csv", text(rows(P, BYTES_REAL), ",", head="X,Y,Z,R,G,B\n"), 1)
     read("header_rgb_wide.csv", text(rows(P, WIDE), ",", head="X,Y,Z,Red,Green,Blue\n"), 1, writer="PDAL")
     read("header_rgb_cloudcompare.asc", text(rows(P, RGB), head="//X Y Z R G B\n"), 1, writer="CloudCompare")
-    read("header_rgb_count.asc", text(rows(P, RGB), head="//X Y Z R G B\n600\n"), 1, writer="CloudCompare")
+    read("header_rgb_count.asc", text(rows(P, RGB), head=f"//X Y Z R G B\n{N}\n"), 1, writer="CloudCompare")
     read("header_rgb_float_cloudcompare.asc", text(rows(P, UNIT), head="//X Y Z Rf Gf Bf\n"), 1, writer="CloudCompare")
     read("header_normals_cloudcompare.asc", text(rows(P, RGB, NORMAL), head="//X Y Z R G B Nx Ny Nz\n"), 1,
          fields="normal_x,normal_y,normal_z", writer="CloudCompare")
@@ -244,8 +245,8 @@ def make_text():
     read("rgb_normals.txt", text(rows(P, RGB, NORMAL)), 1, said="7 to 9 as nx ny nz")
     read("normals_rgb.txt", text(rows(P, NORMAL, RGB)), 1, said="7 to 9 as r g b")
     read("normals_rgb_unit.txt", text(rows(P, NORMAL, UNIT)), 1, said="7 to 9 as r g b")
-    read("irgb.pts", text(rows(P, I, RGB), head="600\n"), 1, said="columns 5 to 7 as r g b", writer="Leica Cyclone")
-    read("irgb_negative.pts", text(rows(P, lambda p, c, n, i: [str(-INTENSITY[i] * 8)], RGB), head="600\n"), 1,
+    read("irgb.pts", text(rows(P, I, RGB), head=f"{N}\n"), 1, said="columns 5 to 7 as r g b", writer="Leica Cyclone")
+    read("irgb_negative.pts", text(rows(P, lambda p, c, n, i: [str(-INTENSITY[i] * 8)], RGB), head=f"{N}\n"), 1,
          said="columns 5 to 7 as r g b", writer="Leica Cyclone")
     read("irgb_unit.txt", text(rows(P, I01, RGB)), 1, said="columns 5 to 7 as r g b")
     read("rgbi_real.txt", text(rows(P, RGB, lambda p, c, n, i: ["%.2f" % (INTENSITY[i] * 8.5)])), 1, said="columns 4 to 6 as r g b")
@@ -263,7 +264,7 @@ def make_text():
     refuse("columns_without_z.txt", text(plain), "no x, y and z", columns="x,y,w")
 
 
-def ptx(station, matrix, table, columns=30):
+def ptx(station, matrix, table, columns=N // 20):
     lines = [str(columns), str(len(table) // columns), " ".join("%g" % x for x in station), "1 0 0", "0 1 0", "0 0 1"]
     return "\n".join(lines + [" ".join("%.9g" % x for x in row) for row in matrix]) + "\n" + text(table)
 
@@ -282,8 +283,8 @@ def make_ptx():
     read("moved.ptx", ptx((2, 3, 0.5), turned, local), tolerance=3e-6)
     by_columns = [list(row) for row in zip(*turned)]
     read("moved_by_columns.ptx", ptx((2, 3, 0.5), by_columns, local), tolerance=3e-6)
-    read("two_stations.ptx", ptx((0, 0, 0), one, hole[:300]) + ptx((2, 3, 0.5), turned, local[300:]), tolerance=3e-6)
-    refuse("cut.ptx", ptx((0, 0, 0), one, hole[:-30]).replace("\n19\n", "\n20\n"), "ends before")
+    read("two_stations.ptx", ptx((0, 0, 0), one, hole[:HALF]) + ptx((2, 3, 0.5), turned, local[HALF:]), tolerance=3e-6)
+    refuse("cut.ptx", ptx((0, 0, 0), one, hole[:-(N // 20)]).replace("\n19\n", "\n20\n"), "ends before")
     refuse("bad_matrix.ptx", ptx((0, 0, 0), one, hole).replace("0 0 1 0\n0 0 0 1", "0 0 1\n0 0 0 1", 1), "")
 
 
@@ -392,12 +393,12 @@ def make_pcd():
     read("binary_and_more.pcd", pcd(f4, positions, "binary") + b"\n\n")
     refuse("short.pcd", pcd(f4, positions, "binary")[:-1], "ends before")
     refuse("short_text.pcd", pcd(f4, positions)[:-30], "ends before")
-    refuse("column_too_many.pcd", text(rows(P, C("1")), head="VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 600\nHEIGHT 1\nPOINTS 600\nDATA ascii\n"),
+    refuse("column_too_many.pcd", text(rows(P, C("1")), head="VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH %d\nHEIGHT 1\nPOINTS %d\nDATA ascii\n" % (N, N)),
            "more numbers")
     refuse("no_z.pcd", pcd(f4[:2], [p[:2] for p in positions]), "no x, y and z")
     refuse("bad_type.pcd", pcd(f4, positions).replace(b"TYPE F F F", b"TYPE F F Q"), "TYPE")
     refuse("word.pcd", pcd(f4, positions).replace(b"0.1", b"o.1", 1), "is no number")
-    refuse("comma_separated.pcd", text(rows(P), ",", head="VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 600\nHEIGHT 1\nPOINTS 600\nDATA ascii\n"), "")
+    refuse("comma_separated.pcd", text(rows(P), ",", head="VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH %d\nHEIGHT 1\nPOINTS %d\nDATA ascii\n" % (N, N)), "")
 
 
 # ---- PLY
@@ -478,7 +479,7 @@ def make_ply():
     read("ply_named.xyz", ply(axes, positions))
     read("ply_named.foo", ply(axes, positions))
     refuse("column_too_many.ply", ply(axes, positions, "ascii").replace(b"\n", b" 1\n").replace(b"header 1", b"header").replace(b"ply 1", b"ply")
-           .replace(b"ascii 1.0 1", b"ascii 1.0").replace(b"vertex 600 1", b"vertex 600").replace(b"x 1\n", b"x\n").replace(b"y 1\n", b"y\n").replace(b"z 1\n", b"z\n"), "more numbers")
+           .replace(b"ascii 1.0 1", b"ascii 1.0").replace(b"vertex %d 1" % N, b"vertex %d" % N).replace(b"x 1\n", b"x\n").replace(b"y 1\n", b"y\n").replace(b"z 1\n", b"z\n"), "more numbers")
     refuse("splats.ply", ply(axes + [("float", n) for n in ("f_dc_0", "f_dc_1", "f_dc_2", "opacity", "scale_0", "rot_0")], [p + [0.1] * 6 for p in positions]),
            "3dgsconverter", writer="Gaussian Splatting")
     refuse("no_vertices.ply", ply([("float", "a")], [[1.0]]), "no x, y and z")
@@ -559,7 +560,7 @@ def make_others():
     read("normals.off", text(rows(P, NORMAL), head=f"NOFF\n{N} 0 0\n"), writer="CGAL")
     read("colours_normals.off", text(rows(P, NORMAL, RGB), head=f"CNOFF\n{N} 0 0\n"), 1)
     read("dos.off", text(vertices, head=f"OFF\r\n{N} 0 0\r\n", end="\r\n"))
-    refuse("cut.off", text(vertices[:500], head=f"OFF\n{N} 0 0\n"), "ends before")
+    refuse("cut.off", text(vertices[:-5], head=f"OFF\n{N} 0 0\n"), "ends before")
     refuse("binary.off", f"OFF BINARY\n{N} 0 0\n", "BINARY")
     refuse("four.off", text(rows(P, C("1")), head=f"4OFF\n{N} 0 0\n"), "four coordinates")
 
@@ -570,7 +571,7 @@ def make_others():
     read("comments.obj", text([["v"] + row for row in vertices], head="# made for a test\nmtllib a.mtl\no ellipsoid\n"), writer="Blender")
     read("weights.obj", text(rows(C("v"), P, C("1.0"))))
     read("decimal_comma.obj", text([["v"] + [w.replace(".", ",") for w in row] for row in vertices]))
-    refuse("word.obj", text([["v"] + row for row in vertices[:300]] + [["v", "a", "b", "c"]]), "line 301")
+    refuse("word.obj", text([["v"] + row for row in vertices[:HALF]] + [["v", "a", "b", "c"]]), f"line {HALF + 1}")
 
     def vtk(form, kind="float", data="", dataset="POLYDATA", version="3.0"):
         head = f"# vtk DataFile Version {version}\na title\n{form}\nDATASET {dataset}\n"
