@@ -99,7 +99,7 @@ void read_as_frame(std::string_view bytes) {
   const int file = memfd_create("frame", 0);
   if (file < 0 || write(file, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) std::abort();
   try {
-    const auto frame = stream::pcd_sequence({"/proc/self/fd/" + std::to_string(file)})->next();
+    const auto frame = stream::file_sequence({"/proc/self/fd/" + std::to_string(file)})->next();
     if (frame) require_no_fault(fault_of(stream::frame_points(*frame, {}), bytes.size()));
   } catch (const stream::StreamError&) {
   }

@@ -158,6 +158,9 @@ class Survey {
              "has " + numbered(columns, "column") + ", and --columns names " + std::to_string(named_));
     facts_.columns.resize(columns);
     for (std::size_t k = 0; k < columns; ++k) facts_.columns[k].text = !number_of(words_[k]);
+    if (std::count_if(facts_.columns.begin(), facts_.columns.end(),
+                      [](const ColumnFacts& c) { return !c.text; }) < 3)
+      refuse(number_, "has fewer than three numbers, and a point needs x, y and z");
     colmap_ = !header_.complete() && looks_like_colmap();
   }
 
