@@ -227,9 +227,10 @@ pcl::PCLPointCloud2 PointLayout::read(std::string_view body, std::size_t points,
 
 pcl::PCLPointCloud2 with_known_fields(pcl::PCLPointCloud2 cloud, Notes& notes) {
   std::vector<Column> columns;
-  for (const pcl::PCLPointField& field : cloud.fields)
-    columns.push_back(
-        {field.name, static_cast<Scalar>(field.datatype), std::max<std::size_t>(field.count, 1)});
+  for (const pcl::PCLPointField& field : cloud.fields) {
+    const auto type = static_cast<Scalar>(field.datatype);
+    columns.push_back({size_of(type) == 0 ? "" : field.name, type, std::max<std::size_t>(field.count, 1)});
+  }
   const PointLayout layout(columns);
   const pcl::PCLPointCloud2 empty = layout.cloud(0);
   const auto kept = [&](const pcl::PCLPointField& wanted) {
