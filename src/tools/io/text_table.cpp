@@ -168,28 +168,39 @@ void split_at(std::string_view line, char separator, std::vector<std::string_vie
   }
 }
 
+/// Which bytes are in a set.
+class ByteSet {
+ public:
+  explicit ByteSet(std::string_view members) {
+    for (const char c : members) in_[static_cast<unsigned char>(c)] = true;
+  }
+  bool has(char c) const { return in_[static_cast<unsigned char>(c)]; }
+
+ private:
+  bool in_[256] = {};
+};
+
 void split_at_blanks(std::string_view line, std::size_t number, bool commas_too,
                      std::vector<std::string_view>& words) {
-  constexpr std::string_view kSeparators = " \t\v\f\r\"'[](){};,";
-  const std::string_view separators =
-      commas_too ? kSeparators : kSeparators.substr(0, kSeparators.size() - 1);
+  static const ByteSet without_commas(" \t\v\f\r\"'[](){};"), with_commas(" \t\v\f\r\"'[](){};,");
+  const ByteSet& separators = commas_too ? with_commas : without_commas;
   std::size_t marks = 0;  // commas and semicolons since the last word
   std::size_t begin = std::string_view::npos;
   for (std::size_t i = 0; i <= line.size(); ++i) {
     const char c = i < line.size() ? line[i] : ' ';
     const bool in_word = begin != std::string_view::npos;
-    const bool closes =
-        c == ')' && in_word && line.substr(begin, i - begin).find('(') != std::string_view::npos;
-    const bool separates =
-        separators.find(c) != std::string_view::npos && !(c == '(' && in_word) && !closes;  // nan(ind)
-    if (separates) {
-      if (begin != std::string_view::npos) words.push_back(line.substr(begin, i - begin)), marks = 0;
-      begin = std::string_view::npos;
-      marks += c == ',' || c == ';' ? 1 : 0;
-    } else if (begin == std::string_view::npos) {
+    if (!separators.has(c)) {
+      if (in_word) continue;
       if (marks > 1) throw IoError("line " + std::to_string(number) + " has separators with nothing between");
       begin = i;
+      continue;
     }
+    if (in_word &&
+        (c == '(' || (c == ')' && line.substr(begin, i - begin).find('(') != std::string_view::npos)))
+      continue;  // nan(ind)
+    if (in_word) words.push_back(line.substr(begin, i - begin)), marks = 0;
+    begin = std::string_view::npos;
+    marks += c == ',' || c == ';' ? 1 : 0;
   }
 }
 
@@ -231,8 +242,8 @@ bool is_comment(std::string_view line) {
 }
 
 std::string_view without_comment(std::string_view line) {
-  for (std::size_t at = line.find_first_of("#/"); at != std::string_view::npos;
-       at = line.find_first_of("#/", at + 1)) {
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    if (line[at] != '#' && line[at] != '/') continue;
     const bool mark = line[at] == '#' || line.substr(at, 2) == "//";
     const bool begins_word =
         at == 0 || std::string_view(" \t,;").find(line[at - 1]) != std::string_view::npos;

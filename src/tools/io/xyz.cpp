@@ -126,6 +126,8 @@ class Survey {
 
   void take(std::string_view line) {
     if (words_.empty()) return;
+    if (facts_.rows > 0 && trailer_ == kNone && words_.size() == facts_.columns.size() && parse_row())
+      return add_row();
     long long count = 0;
     if (words_.size() == 1 && parse_integer(words_[0], count)) return begin_block(count);
     const auto numbers = std::count_if(words_.begin(), words_.end(), [](std::string_view word) {
@@ -181,16 +183,24 @@ class Survey {
     if (words_.size() != columns && !fits_anyway())
       refuse(number_, "has " + numbered(words_.size(), "column") + ", and line " +
                           std::to_string(first_line_) + " has " + std::to_string(columns));
+    if (!parse_row()) refuse(number_, "has " + shown(words_[bad_word_]) + " where others have a number");
+    add_row();
+  }
+
+  /// False at a word that is no number, bad_word_.
+  bool parse_row() {
     values_.resize(facts_.columns.size());
-    for (std::size_t k = 0; k < facts_.columns.size(); ++k) {
-      if (facts_.columns[k].text) {
-        values_[k] = NAN;
-        continue;
-      }
-      const std::optional<double> value = number_of(words_[k]);
-      if (!value) refuse(number_, "has " + shown(words_[k]) + " where others have a number");
-      values_[k] = *value;
+    for (bad_word_ = 0; bad_word_ < values_.size(); ++bad_word_) {
+      values_[bad_word_] = NAN;
+      if (facts_.columns[bad_word_].text) continue;
+      const std::optional<double> value = number_of(words_[bad_word_]);
+      if (!value) return false;
+      values_[bad_word_] = *value;
     }
+    return true;
+  }
+
+  void add_row() {
     facts_.add(values_, words_);
     ++block_rows_;
   }
@@ -232,6 +242,7 @@ class Survey {
   std::size_t named_;  // columns that the user names
   std::vector<std::string_view> words_;
   std::vector<double> values_;
+  std::size_t bad_word_ = 0;
   TableFacts facts_;
   Names header_;
   bool header_is_comment_ = false, other_header_ = false;
