@@ -1,87 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field_role.h"
 
+#include <array>
 #include <map>
 
 namespace filmsticking::io {
 namespace {
 
-// After each writer whose names differ: PCL, CloudCompare, MeshLab, ParaView, COLMAP, trimesh, PDAL, Potree.
+struct Names {
+  Role role;
+  std::array<std::string_view, 7> names;
+};
+
+// As PCL, CloudCompare, MeshLab, ParaView, COLMAP, trimesh, PDAL and surveyors' programs write them.
+constexpr Names kNames[] = {
+    {Role::X, {"x", "easting", "points:0", "points_0", "pos_x", "position_x", "x_coord"}},
+    {Role::Y, {"y", "northing", "points:1", "points_1", "pos_y", "position_y", "y_coord"}},
+    {Role::Z, {"z", "elevation", "points:2", "points_2", "pos_z", "position_z", "z_coord"}},
+    {Role::Z, {"height"}},
+    {Role::Red, {"r", "red", "rf", "diffuse_red", "color_r", "rgb:0", "rgb_0"}},
+    {Role::Green, {"g", "green", "gf", "diffuse_green", "color_g", "rgb:1", "rgb_1"}},
+    {Role::Blue, {"b", "blue", "bf", "diffuse_blue", "color_b", "rgb:2", "rgb_2"}},
+    {Role::Alpha, {"a", "alpha", "diffuse_alpha"}},
+    {Role::PackedColour, {"rgb", "rgba"}},
+    {Role::NormalX, {"nx", "normal_x", "normalx"}},
+    {Role::NormalY, {"ny", "normal_y", "normaly"}},
+    {Role::NormalZ, {"nz", "normal_z", "normalz"}},
+    {Role::ViewpointX, {"vp_x"}},
+    {Role::ViewpointY, {"vp_y"}},
+    {Role::ViewpointZ, {"vp_z"}},
+    {Role::Intensity, {"intensity", "i"}},
+    {Role::Number, {"id", "index", "idx", "nr", "no", "point_id", "point3d_id"}},
+    {Role::Number, {"pointid", "point"}},
+};
+
 const std::map<std::string_view, Role>& roles() {
-  static const std::map<std::string_view, Role> names = {
-      {"x", Role::X},
-      {"y", Role::Y},
-      {"z", Role::Z},
-      {"easting", Role::X},
-      {"northing", Role::Y},
-      {"elevation", Role::Z},
-      {"height", Role::Z},
-      {"points:0", Role::X},
-      {"points:1", Role::Y},
-      {"points:2", Role::Z},
-      {"points_0", Role::X},
-      {"points_1", Role::Y},
-      {"points_2", Role::Z},
-      {"pos_x", Role::X},
-      {"pos_y", Role::Y},
-      {"pos_z", Role::Z},
-      {"position_x", Role::X},
-      {"position_y", Role::Y},
-      {"position_z", Role::Z},
-      {"x_coord", Role::X},
-      {"y_coord", Role::Y},
-      {"z_coord", Role::Z},
-      {"r", Role::Red},
-      {"g", Role::Green},
-      {"b", Role::Blue},
-      {"a", Role::Alpha},
-      {"red", Role::Red},
-      {"green", Role::Green},
-      {"blue", Role::Blue},
-      {"alpha", Role::Alpha},
-      {"rf", Role::Red},
-      {"gf", Role::Green},
-      {"bf", Role::Blue},
-      {"diffuse_red", Role::Red},
-      {"diffuse_green", Role::Green},
-      {"diffuse_blue", Role::Blue},
-      {"diffuse_alpha", Role::Alpha},
-      {"color_r", Role::Red},
-      {"color_g", Role::Green},
-      {"color_b", Role::Blue},
-      {"rgb:0", Role::Red},
-      {"rgb:1", Role::Green},
-      {"rgb:2", Role::Blue},
-      {"rgb_0", Role::Red},
-      {"rgb_1", Role::Green},
-      {"rgb_2", Role::Blue},
-      {"rgb", Role::PackedColour},
-      {"rgba", Role::PackedColour},
-      {"nx", Role::NormalX},
-      {"ny", Role::NormalY},
-      {"nz", Role::NormalZ},
-      {"normal_x", Role::NormalX},
-      {"normal_y", Role::NormalY},
-      {"normal_z", Role::NormalZ},
-      {"normalx", Role::NormalX},
-      {"normaly", Role::NormalY},
-      {"normalz", Role::NormalZ},
-      {"vp_x", Role::ViewpointX},
-      {"vp_y", Role::ViewpointY},
-      {"vp_z", Role::ViewpointZ},
-      {"intensity", Role::Intensity},
-      {"i", Role::Intensity},
-      {"id", Role::Number},
-      {"index", Role::Number},
-      {"idx", Role::Number},
-      {"nr", Role::Number},
-      {"no", Role::Number},
-      {"point_id", Role::Number},
-      {"pointid", Role::Number},
-      {"point3d_id", Role::Number},
-      {"point", Role::Number},
-  };
-  return names;
+  static const std::map<std::string_view, Role> by_name = [] {
+    std::map<std::string_view, Role> all;
+    for (const Names& names : kNames)
+      for (const std::string_view name : names.names)
+        if (!name.empty()) all.emplace(name, names.role);
+    return all;
+  }();
+  return by_name;
 }
 
 }  // namespace

@@ -65,6 +65,11 @@ PointLayout::PointLayout(const std::vector<Column>& columns)
       if (colour_ == kNowhere) add_colour(channels, at(Role::Alpha));
       continue;
     }
+    if (!coloured && role_of(columns[c].name) == Role::PackedColour && columns[c].count > 2 &&
+        columns[c].count < 5 && colour_ == kNowhere) {
+      add_colour_list(c);
+      continue;
+    }
     const bool is_normal = complete(normals) && std::find(normals.begin(), normals.end(), c) != normals.end();
     const Role role = role_of(columns[c].name);
     const bool renamed =
@@ -120,6 +125,16 @@ void PointLayout::add_colour(const Triple& channels, std::size_t alpha) {
     offsets_[all[k]] = direct ? colour_ + kPlaces[k] : reserve(columns_[all[k]].type);
     if (!direct) raw_channels_.push_back({offsets_[all[k]], columns_[all[k]].type});
   }
+}
+
+/// One column of red, green, blue, or alpha as well.
+void PointLayout::add_colour_list(std::size_t column) {
+  const Column& list = columns_[column];
+  opaque_ = list.count == 3;
+  colour_ = opaque_ ? add_field("rgb", Scalar::Float) : add_field("rgba", Scalar::UInt32);
+  offsets_[column] = reserve(list.type, list.count);
+  for (std::size_t k = 0; k < list.count; ++k)
+    raw_channels_.push_back({offsets_[column] + k * size_of(list.type), list.type});
 }
 
 pcl::PCLPointCloud2 PointLayout::cloud(std::size_t points) const { return make_rows(fields_, step_, points); }

@@ -62,6 +62,7 @@ class PointLayout {
   void add(std::size_t column, const std::string& name);
   void add_positions(const Triple& axes);
   void add_colour(const Triple& channels, std::size_t alpha);
+  void add_colour_list(std::size_t column);
   std::size_t add_field(const std::string& name, Scalar type, std::size_t count = 1);
   std::size_t reserve(Scalar type, std::size_t count = 1);
   void convert_colours(pcl::PCLPointCloud2& cloud, Notes& notes) const;

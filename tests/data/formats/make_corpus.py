@@ -366,6 +366,7 @@ def make_pcd():
                                         ("float255", "F", 4, 1)]:
             values = [list(p) + [v * scale if kind == "F" else int(v * scale) for v in c] for p, c, n in POINTS]
             read(f"rgb_{name}_{short}.pcd", pcd(f4 + [(a, kind, size, 1) for a in "rgb"], values, data), 1)
+        read(f"rgb_list_{short}.pcd", pcd(f4 + [("rgb", "U", 1, 3)], [list(p) + list(c) for p, c, n in POINTS], data), 1)
         read(f"normals_{short}.pcd", pcd(f4 + [("normal_" + a, "F", 4, 1) for a in "xyz"], [list(p) + list(n) for p, c, n in POINTS], data),
              fields="normal_x,normal_y,normal_z", writer="PCL")
         read(f"intensity_{short}.pcd", pcd(f4 + [("intensity", "F", 4, 1)], [list(p) + [float(INTENSITY[i])] for i, (p, c, n) in enumerate(POINTS)], data),
@@ -480,6 +481,9 @@ def make_ply():
     read("ply_named.foo", ply(axes, positions))
     refuse("column_too_many.ply", ply(axes, positions, "ascii").replace(b"\n", b" 1\n").replace(b"header 1", b"header").replace(b"ply 1", b"ply")
            .replace(b"ascii 1.0 1", b"ascii 1.0").replace(b"vertex %d 1" % N, b"vertex %d" % N).replace(b"x 1\n", b"x\n").replace(b"y 1\n", b"y\n").replace(b"z 1\n", b"z\n"), "more numbers")
+    refuse("fractions_as_bytes.ply", text(rows(P, UNIT), head=f"ply\nformat ascii 1.0\nelement vertex {N}\n" + "".join(
+        f"property {k} {n}\n" for k, n in [("float", a) for a in "xyz"] + [("uchar", a) for a in ("red", "green", "blue")]) + "end_header\n"),
+        "is no number of its column's type")
     refuse("splats.ply", ply(axes + [("float", n) for n in ("f_dc_0", "f_dc_1", "f_dc_2", "opacity", "scale_0", "rot_0")], [p + [0.1] * 6 for p in positions]),
            "3dgsconverter", writer="Gaussian Splatting")
     refuse("no_vertices.ply", ply([("float", "a")], [[1.0]]), "no x, y and z")
@@ -567,6 +571,7 @@ def make_others():
     read("points.obj", text([["v"] + row for row in vertices]))
     read("faces.obj", text([["v"] + row for row in vertices], tail="".join("f %d %d %d\n" % tuple(k + 1 for k in f) for f in cube_faces())), writer="Open3D")
     read("colours.obj", text(rows(C("v"), P, UNIT)), 1, writer="MeshLab")
+    read("colours_bytes.obj", text(rows(C("v"), P, RGB)), 1)
     read("normals.obj", text([["v"] + row for row in vertices]) + text(rows(C("vn"), NORMAL)), writer="trimesh")
     read("comments.obj", text([["v"] + row for row in vertices], head="# made for a test\nmtllib a.mtl\no ellipsoid\n"), writer="Blender")
     read("weights.obj", text(rows(C("v"), P, C("1.0"))))
