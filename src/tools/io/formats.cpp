@@ -72,7 +72,7 @@ std::string detect_text(std::string_view bytes) {
     if (is_comment(line) || word.empty()) continue;
     if (first) {
       if (is_off(word)) return "off";
-      for (const char* keyword : {"v", "vn", "vt", "f", "o", "g", "mtllib", "usemtl", "s"})
+      for (const char* keyword : {"v", "vn", "vt", "vp", "f", "o", "g", "mtllib", "usemtl", "s"})
         if (word == keyword) return "obj";
       if (lower(word) == "ncols" || lower(word) == "nrows") return "grid";
     }

@@ -57,7 +57,8 @@ bool is_ahead(const TableFacts& facts, std::size_t k) {
   constexpr double kTimes = 1e8;  // no coordinate in metres is as large; seconds since 1970 and GPS times are
   if (facts.rows < 3) return false;
   const ColumnFacts& column = facts.columns[k];
-  if (column.rises && column.least >= kTimes) return true;
+  const bool others_smaller = facts.columns[k + 1].most < kTimes && facts.columns[k + 2].most < kTimes;
+  if (column.rises && column.least >= kTimes && others_smaller) return true;
   return column.whole && (column.counts || (column.strictly && facts.rows > 2 &&
                                             !facts.columns[k + 1].whole && !facts.columns[k + 2].whole));
 }

@@ -235,6 +235,9 @@ def make_text():
     read("id_sparse.txt", text(rows(lambda p, c, n, i: [str(7 * i + i % 3)], P)), said="columns 2 to 4 as x y z")
     read("time_first.txt", text(rows(T, P)), said="columns 2 to 4 as x y z")
     read("time_first_ns.csv", text(rows(lambda p, c, n, i: [str(1500000000000000000 + 1000 * i)], P), ","), said="columns 2 to 4 as x y z")
+    read("sorted_millimetres.txt", text(sorted(rows(lambda p, c, n, i: [str(round(4e8 + 1e6 * p[0])), str(round(5e9 + 1e6 * p[1])),
+                                                                  str(round(1e6 * p[2])), "7"]), key=lambda row: int(row[0]))),
+         scale=1e6, offset="400000000,5000000000,0", order=0, tolerance=2)
     read("intensity.xyz", text(rows(P, I)), said="without column 4")
     read("rgb.xyz", text(rows(P, RGB)), 1, said="columns 4 to 6 as r g b")
     read("rgb.csv", text(rows(P, RGB), ","), 1, said="columns 4 to 6 as r g b", writer="MeshLab")

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <memory>
 #include <random>
@@ -106,10 +107,12 @@ std::string difference(const Variant& variant, const io::Cloud& cloud, const Mod
     return std::to_string(model.positions.size() - kept.size()) + " points are not finite";
   if (variant.fact("order", "1") == "0") {
     for (const std::size_t i : kept) {
-      double nearest = 1;
-      for (const Point& p : truth.positions)
-        nearest = std::min(nearest, std::hypot(p[0] - model.positions[i][0], p[1] - model.positions[i][1],
-                                               p[2] - model.positions[i][2]));
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const Point& p : truth.positions) {
+        Point away{};
+        for (std::size_t k = 0; k < 3; ++k) away[k] = p[k] * scale + offset[k] - model.positions[i][k];
+        nearest = std::min(nearest, std::hypot(away[0], away[1], away[2]));
+      }
       if (nearest > tolerance) return "a point is elsewhere";
     }
     return kept.size() < 590 ? "points are missing" : "";
