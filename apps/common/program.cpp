@@ -33,7 +33,8 @@ int run_program(const char* program, const std::function<int()>& body) noexcept 
 
 io::Cloud read_points(const char* program, const std::string& path) {
   io::Cloud cloud = io::with_file(path, [&] { return io::read_cloud(path); });
-  for (const std::string& note : cloud.notes) complain(program, path + ": " + note);
+  const std::string begin = path + ": ";
+  for (const std::string& note : cloud.notes) complain(program, begin + note);
   return cloud;
 }
 

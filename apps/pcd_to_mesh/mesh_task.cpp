@@ -31,6 +31,12 @@ std::string shown(const std::string& path, const char* stream) {
   return path == kStandardStream ? stream : path;
 }
 
+void take_notes(const std::string& file, io::Cloud& cloud, std::vector<std::string>& notes) {
+  const std::string begin = file + ": ";
+  for (const std::string& note : cloud.notes) notes.push_back(begin + note);
+  cloud.notes.clear();
+}
+
 /// A file's cloud; what is to be said of it goes to `notes`.
 io::Cloud read_input(const std::string& path, const CommandLine& command, std::vector<std::string>& notes) {
   const std::string name = shown(path, "standard input");
@@ -39,8 +45,7 @@ io::Cloud read_input(const std::string& path, const CommandLine& command, std::v
     io::Cloud cloud = path != kStandardStream
                           ? io::read_cloud(path, options)
                           : io::decode_any(io::read_standard_input(options.most, &stop_asked), "", options);
-    for (const std::string& note : cloud.notes) notes.push_back(name + ": " + note);
-    cloud.notes.clear();
+    take_notes(name, cloud, notes);
     return cloud;
   });
 }
@@ -50,8 +55,7 @@ io::Cloud read_inputs(const Task& task, const CommandLine& command, std::vector<
   io::Cloud cloud = read_input(task.input, command, notes);
   for (const std::string& file : task.more) {
     io::append(cloud, read_input(file, command, notes));
-    for (const std::string& note : cloud.notes) notes.push_back(file + ": " + note);
-    cloud.notes.clear();
+    take_notes(file, cloud, notes);
   }
   return cloud;
 }

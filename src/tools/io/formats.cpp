@@ -113,7 +113,7 @@ std::vector<std::string> formats_where(Wanted wanted) {
 /// The format of a file's content; else that of its extension, which then says what is wrong.
 std::string content_format(const std::string& extension, std::string_view bytes) {
   refuse_unread_formats(bytes, "");
-  const std::string found = detect_format(bytes);
+  std::string found = detect_format(bytes);
   if (!found.empty()) return found;
   refuse_unread_formats(bytes, extension);
   for (const std::string& format : cloud_formats())

@@ -53,8 +53,9 @@ Cloud decode_grid(std::string_view bytes) {
     if (word.empty()) throw IoError("it has fewer heights than its header says");
     if (!parse_number(word, z)) throw_no_number(text, word);
     if (z == none || !std::isfinite(z)) continue;
-    points.push_back({left + cell * static_cast<double>(i % wide),
-                      low + cell * static_cast<double>(high - 1 - i / wide), z});
+    const std::size_t row = i / wide;
+    points.push_back(
+        {left + cell * static_cast<double>(i % wide), low + cell * static_cast<double>(high - 1 - row), z});
   }
   if (!word.empty()) throw IoError("it has more heights than its header says");
   Cloud cloud{make_cloud(points)};

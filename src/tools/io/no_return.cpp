@@ -60,7 +60,9 @@ std::vector<bool> absurdly_far(const std::vector<Point>& points) {
 std::size_t mark_missing_heights(pcl::PCLPointCloud2& cloud) {
   if (size_of(cloud) == 0) return 0;
   const PositionFields fields(cloud);
-  double least = std::numeric_limits<double>::infinity(), most = -least, highest_missing = -least;
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  double least = kInfinite, most = -kInfinite,
+         highest_missing = *std::min_element(kMissing, std::end(kMissing));
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < size_of(cloud); ++i) {
     const double z = fields.load(bytes_of(cloud, i))[2];
