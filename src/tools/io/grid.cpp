@@ -60,8 +60,8 @@ Cloud decode_grid(std::string_view bytes) {
   if (!word.empty()) throw IoError("it has more heights than its header says");
   Cloud cloud{make_cloud(points)};
   if (points.size() < wide * high)
-    cloud.notes.push_back(std::to_string(wide * high - points.size()) +
-                          " cells have no height and are left out");
+    cloud.notes.push_back("left out " + std::to_string(wide * high - points.size()) +
+                          " of its cells, which have no height");
   return cloud;
 }
 
