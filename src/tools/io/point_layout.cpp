@@ -28,6 +28,22 @@ std::vector<std::size_t> columns_by_role(const std::vector<Column>& columns) {
   return found;
 }
 
+template <typename Bits>
+void turn(std::uint8_t* value, Bits (*swap)(Bits)) {
+  Bits bits;
+  std::memcpy(&bits, value, sizeof bits);
+  bits = swap(bits);
+  std::memcpy(value, &bits, sizeof bits);
+}
+
+/// Reverses the bytes of a number.
+void turn(std::uint8_t* value, std::size_t size) {
+  if (size == 2) turn<std::uint16_t>(value, [](std::uint16_t x) { return __builtin_bswap16(x); });
+  if (size == 4) turn<std::uint32_t>(value, [](std::uint32_t x) { return __builtin_bswap32(x); });
+  if (size == 8)
+    turn<std::uint64_t>(value, [](std::uint64_t x) { return std::uint64_t{__builtin_bswap64(x)}; });
+}
+
 /// From a channel's values to bytes.
 struct ColourScale {
   bool possible = true;
@@ -225,8 +241,7 @@ void PointLayout::turn_bytes(pcl::PCLPointCloud2& cloud) const {
     if (offsets_[c] == kNowhere || size == 1) continue;
     for (std::size_t at = offsets_[c]; at < cloud.data.size(); at += step_)
       for (std::size_t k = 0; k < columns_[c].count; ++k) {
-        std::uint8_t* const value = cloud.data.data() + at + k * size;
-        std::reverse(value, value + size);
+        turn(cloud.data.data() + at + k * size, size);
       }
   }
 }
