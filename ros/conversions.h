@@ -15,18 +15,21 @@
 
 #include "io/bytes.h"
 #include "io/cloud.h"
+#include "io/point_layout.h"
 #include "stream/frame.h"
 #include "stream/shading.h"
 
 namespace filmsticking::stream {
 
-/// The cloud of a message with all fields, in this machine's byte order. Throws io::IoError for a big-endian
-/// message that contradicts itself; others are checked where they are read.
+/// The cloud of a message with all fields, as io::PointLayout makes them of any names and types, in this
+/// machine's byte order. Throws io::IoError for a message that contradicts itself, or has no x, y and z.
 inline pcl::PCLPointCloud2 to_cloud(const sensor_msgs::PointCloud2& message) {
   pcl::PCLPointCloud2 cloud;
   pcl_conversions::toPCL(message, cloud);
-  if (!cloud.is_bigendian || io::size_of(cloud) == 0) return cloud;
-  io::PositionFields{cloud};       // checks that all lies within the bytes
+  if (io::size_of(cloud) == 0) return cloud;
+  io::check_fields(cloud);
+  io::Notes notes;
+  if (!cloud.is_bigendian) return io::with_known_fields(std::move(cloud), notes);
   std::set<std::uint32_t> turned;  // rgb and rgba may be the same bytes
   for (const pcl::PCLPointField& field : cloud.fields) {
     if (!turned.insert(field.offset).second) continue;
@@ -38,7 +41,7 @@ inline pcl::PCLPointCloud2 to_cloud(const sensor_msgs::PointCloud2& message) {
     }
   }
   cloud.is_bigendian = false;
-  return cloud;
+  return io::with_known_fields(std::move(cloud), notes);
 }
 
 /// A list of triangles but for its header: grey, or with a shaded colour for each corner if the mesh has

@@ -53,6 +53,9 @@ void add_fusion(Arguments& arguments, CommandLine& command) {
 void add_options(Arguments& arguments, CommandLine& command) {
   arguments.only_flag("--help", "print this text", command.help);
   arguments.only_flag("--version", "print the version", command.version);
+  arguments.flag("--double",
+                 "write double coordinates; default: only where single precision does not tell points apart",
+                 command.doubles);
   add_capture(arguments, command);
   add_poses(arguments, command);
   add_fusion(arguments, command);
@@ -100,8 +103,9 @@ std::string usage() {
 Turns a scanner's capture into a closed manifold triangle mesh: frames are filtered, moved into one
 coordinate system, averaged in cells of a grid, and meshed at the end. Ctrl-C ends the capture and
 meshes the frames so far; a second one ends the program.
-  RECORDING  a folder of .pcd files (in the order of their names), .pcd files one by one, or an
-             .oni file of a depth camera. A number at the end of a PCD file's name is its time.
+  RECORDING  a folder of .pcd, .ply, .las, .ptx, .pts or .xyz files (in the order of their names),
+             such files one by one, or an .oni file of a depth camera. A number at the end of a
+             file's name is its time; every station of a PTX file is a frame with its pose.
   OUTPUT     .ply .obj .stl .vtk .glb; with --open, what was seen, with borders
 )" + arguments.help() +
          "\nThe filters crop, sor and voxel run on each frame, in the sensor's coordinates; mls runs on the "

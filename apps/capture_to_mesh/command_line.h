@@ -37,6 +37,7 @@ struct CommandLine {
   int frames = 0;  ///< at most; 0: all
   filters::FilterOptions filters;
   Options options;
+  bool doubles = false;  ///< write double coordinates even where single precision suffices
   bool help = false;
   bool version = false;
 };

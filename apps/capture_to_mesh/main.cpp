@@ -35,26 +35,30 @@ namespace {
 
 constexpr const char* kName = "capture_to_mesh";
 
-void write_mesh(const std::string& file, const pcl::PolygonMesh& mesh) {
-  with_file(file, [&] { io::write_mesh(file, mesh); });
+void write_mesh(const CommandLine& command, pcl::PolygonMesh mesh) {
+  if (!command.doubles && io::float_suffices(mesh.cloud))
+    mesh.cloud = io::with_float_positions(std::move(mesh.cloud));
+  with_file(command.output, [&] { io::write_mesh(command.output, mesh); });
 }
 
 std::unique_ptr<stream::FrameSource> open_source(const CommandLine& command) {
   if (command.device) return stream::openni_source(*command.device);
   std::error_code error;
   if (command.inputs.size() == 1 && fs::is_directory(command.inputs[0], error))
-    return stream::pcd_sequence(stream::pcd_files_in(command.inputs[0]));
+    return stream::file_sequence(stream::frame_files_in(command.inputs[0]));
   for (const std::string& input : command.inputs)
     with_file(input, [&] {
       std::error_code missing;
       if (!fs::exists(input, missing)) throw io::IoError("there is no such file or folder");
-      const std::string extension = io::extension_of(input);
-      if (extension != ".pcd" && (extension != ".oni" || command.inputs.size() > 1))
-        throw io::IoError("a recording is a folder of .pcd files, .pcd files, or one .oni file");
+      const bool recording = io::extension_of(input) == ".oni" && command.inputs.size() == 1;
+      if (!recording && !stream::is_frame_file(input))
+        throw io::IoError(
+            "a recording is a folder of .pcd, .ply, .las, .ptx, .pts or .xyz files, such files, or one .oni "
+            "file");
       io::check_readable(input);
     });
   if (io::extension_of(command.inputs[0]) == ".oni") return stream::openni_source(command.inputs[0]);
-  return stream::pcd_sequence(command.inputs);
+  return stream::file_sequence(command.inputs);
 }
 
 stream::PoseSource open_poses(const CommandLine& command) {
@@ -123,7 +127,7 @@ class Previews {
         "after " + std::to_string(job.frames) + (job.frames == 1 ? " frame: " : " frames: ");
     try {
       if (outcome.status == Status::Ok) {
-        write_mesh(command_.output, outcome.mesh);
+        write_mesh(command_, outcome.mesh);
         bar_.say(begin + std::to_string(io::size_of(outcome.mesh.cloud)) + " vertices, genus " +
                  std::to_string(outcome.report.genus) + ", written");
       } else {
@@ -227,7 +231,7 @@ int run(const CommandLine& command) {
       std::move(job), nullptr, [&bar](double share, const char* stage) { bar.show(share, stage); });
   bar.hide();
   if (outcome.status != Status::Ok) throw stream::StreamError(outcome.message);
-  write_mesh(command.output, outcome.mesh);
+  write_mesh(command, outcome.mesh);
 
   std::printf("frames  %zu used, %zu left out%s\n", accumulator.placed().size(),
               accumulator.left_out() + unread, stop_asked ? ", interrupted" : "");

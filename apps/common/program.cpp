@@ -6,6 +6,8 @@
 #include <exception>
 #include <new>
 
+#include "io/formats.h"
+#include "io/with_file.h"
 #include "usage_error.h"
 
 namespace filmsticking::app {
@@ -27,6 +29,13 @@ int run_program(const char* program, const std::function<int()>& body) noexcept 
     complain(program, error.what());
   }
   return kFailed;
+}
+
+io::Cloud read_points(const char* program, const std::string& path) {
+  io::Cloud cloud = io::with_file(path, [&] { return io::read_cloud(path); });
+  const std::string begin = path + ": ";
+  for (const std::string& note : cloud.notes) complain(program, begin + note);
+  return cloud;
 }
 
 }  // namespace filmsticking::app

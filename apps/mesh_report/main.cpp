@@ -19,9 +19,7 @@ void run(const CommandLine& command) {
   const mesh_report::Surface mesh =
       mesh_report::make_surface(with_file(command.mesh, [&] { return io::read_model(command.mesh); }));
   std::vector<Point> points;
-  if (!command.points.empty())
-    points =
-        io::positions_of(with_file(command.points, [&] { return io::read_cloud(command.points); }).points);
+  if (!command.points.empty()) points = io::positions_of(read_points("mesh_report", command.points).points);
   mesh_report::Surface truth;
   if (!command.truth.empty())
     truth = mesh_report::make_surface(with_file(command.truth, [&] { return io::read_mesh(command.truth); }));

@@ -81,8 +81,7 @@ void run(CommandLine command) {
   with_file(command.output, [&] { io::check_writable(command.output); });
   std::vector<Panel> panels = read_panels(command);
   pcl::PCLPointCloud2 cloud;
-  if (!command.points.empty())
-    cloud = with_file(command.points, [&] { return io::read_cloud(command.points); }).points;
+  if (!command.points.empty()) cloud = read_points("mesh_snapshot", command.points).points;
   measure(command, cloud, panels, command.view.style.scale);
 
   std::size_t pictures = static_cast<std::size_t>(command.turns);

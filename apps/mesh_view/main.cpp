@@ -28,8 +28,7 @@ void run(const CommandLine& command) {
   if (!command.mesh.empty())
     films.push_back({std::filesystem::path(command.mesh).filename().string(), read_mesh(command.mesh)});
   pcl::PCLPointCloud2 cloud;
-  if (!command.points.empty())
-    cloud = with_file(command.points, [&] { return io::read_cloud(command.points); }).points;
+  if (!command.points.empty()) cloud = read_points("mesh_view", command.points).points;
   std::optional<pcl::PolygonMesh> reference;
   if (!command.reference.empty()) reference = read_mesh(command.reference);
 

@@ -63,6 +63,7 @@ std::vector<TaskResult> run_all(const CommandLine& command) {
         bar.show(i, share, name + ": " + stage);
       });
       bar.show(i, 1, name);
+      for (const std::string& note : results[i].facts.notes) bar.complain(note);
       if (!results[i].ok() && !results[i].interrupted) bar.complain(results[i].error);
     }
   };

@@ -36,6 +36,17 @@ MaxHole parse_max_hole(const std::string& text) {
   return {is_share ? numbers[0] / 100 : numbers[0], is_share};
 }
 
+std::vector<std::string> column_names(const std::string& text) {
+  std::vector<std::string> names;
+  std::istringstream words(text);
+  for (std::string name; std::getline(words, name, ',');) {
+    if (name.empty()) throw UsageError("--columns takes names as x,y,z,_,r,g,b, not '" + text + "'");
+    names.push_back(name);
+  }
+  if (names.size() < 3) throw UsageError("--columns takes three names at least, as x,y,z");
+  return names;
+}
+
 void add_options(Arguments& arguments, CommandLine& command) {
   arguments.only_flag("--help", "print this text", command.help);
   arguments.only_flag("--version", "print the version", command.version);
@@ -43,8 +54,16 @@ void add_options(Arguments& arguments, CommandLine& command) {
   add_format(arguments, "--to",
              "format of the meshes in a folder or on standard output: ply (the default), obj, stl, vtk, glb",
              command.to, io::mesh_formats());
-  add_format(arguments, "--format", "format of the input, whatever its name: pcd, ply, obj, stl, xyz, txt",
+  std::string formats;
+  for (const std::string& format : io::cloud_formats()) formats += (formats.empty() ? "" : ", ") + format;
+  add_format(arguments, "--format", "format of the input, where its content does not say it: " + formats,
              command.from, io::cloud_formats());
+  arguments.option("--columns", "NAMES", "columns of a text, as x,y,z,_,r,g,b; '_' is left out",
+                   [&command](const std::string& names) { command.columns = column_names(names); });
+  arguments.flag("--merge", "all inputs, of any formats, are one cloud", command.merge);
+  arguments.flag("--double",
+                 "write double coordinates; default: only where single precision does not tell points apart",
+                 command.doubles);
   arguments.count("--jobs", "N",
                   "clouds at a time, where there are several; 0: as many as processors; default 1",
                   command.jobs, 0);
@@ -101,7 +120,14 @@ void choose_files(const Arguments& given, CommandLine& command) {
     files.pop_back();
   }
   if (command.folder.empty()) throw UsageError("--out-dir takes a folder");
-  command.batch = named || names_folder(command.folder);
+  command.batch = !command.merge && (named || names_folder(command.folder));
+  if (command.merge) {
+    if (named) throw UsageError("--merge makes one mesh, and takes no --out-dir");
+    command.tasks = {{files[0], command.folder, {files.begin() + 1, files.end()}}};
+    if (std::count(files.begin(), files.end(), kStandardStream) > 1)
+      throw UsageError("standard input is given twice");
+    return;
+  }
 
   if (command.batch) {
     command.tasks = tasks_of(files, command.folder, command.to);
@@ -112,7 +138,8 @@ void choose_files(const Arguments& given, CommandLine& command) {
     return;
   }
   if (files.size() > 1)
-    throw UsageError("several inputs need a folder, and '" + command.folder + "' is none; end it with '/'");
+    throw UsageError("several inputs need a folder, and '" + command.folder +
+                     "' is none; end it with '/', or make one cloud of them with --merge");
   command.tasks = {{files[0], command.folder}};
   if (given.has("--to") && command.folder != kStandardStream)
     throw UsageError("--to is for folders and standard output; the name of a file says its format");
@@ -146,12 +173,14 @@ std::string usage() {
   return R"(usage: pcd_to_mesh INPUT OUTPUT [options]
        pcd_to_mesh INPUT.. FOLDER/ [options]
        pcd_to_mesh --out-dir FOLDER INPUT.. [options]
+       pcd_to_mesh INPUT.. OUTPUT --merge [options]
 
 Turns point clouds without normals into closed manifold triangle meshes through their points; with
 --open, into meshes of what was seen, with borders.
-  INPUT   .pcd .ply .obj .stl .xyz .txt (of a mesh, the vertices), or - for standard input
-  OUTPUT  .ply (binary) .obj .stl .vtk .glb, or - for standard output; coordinates keep all
-          digits (.glb has single precision), colours go into all but .stl
+  INPUT   PCD, PLY, OBJ, STL, VTK, OFF (of a mesh, the vertices), LAS, PTX, or text with a point a
+          line (XYZ, CSV, PTS, ..), whatever its name; - for standard input
+  OUTPUT  .ply (binary) .obj .stl .vtk .glb, or - for standard output; coordinates are double where
+          single precision does not tell the points apart, colours go into all but .stl
   FOLDER  takes a mesh for every INPUT, by its name; the program makes it if it is not there.
           An input that fails does not stop the others.
 )" + arguments.help() +

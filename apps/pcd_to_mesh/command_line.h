@@ -16,6 +16,7 @@ constexpr const char* kStandardStream = "-";
 struct Task {
   std::string input;
   std::string output;
+  std::vector<std::string> more = {};  ///< further files of the same cloud
 };
 
 /// The largest hole to close: a length, or a share of the diagonal of the cloud's box.
@@ -31,12 +32,15 @@ struct CommandLine {
   std::string folder;  ///< of a batch
   std::string
       from;  ///< the format of the inputs; empty: by the name of a file, by the content of standard input
-  std::string to = "ply";  ///< the format of standard output and of a batch
-  std::string report;      ///< JSON file; empty: none
-  std::string points_out;  ///< file for the cloud with normals; empty: none
+  std::string to = "ply";            ///< the format of standard output and of a batch
+  std::vector<std::string> columns;  ///< names of the columns of texts; empty: by the text
+  std::string report;                ///< JSON file; empty: none
+  std::string points_out;            ///< file for the cloud with normals; empty: none
   MaxHole max_hole;
   bool normals = false;    ///< of the vertices, in the mesh
   std::string dump_steps;  ///< folder for the film after each step; empty: none
+  bool merge = false;      ///< all inputs are one cloud
+  bool doubles = false;    ///< write double coordinates even where single precision tells the points apart
   int jobs = 1;            ///< tasks at a time
   filters::FilterOptions filters;
   Options options;

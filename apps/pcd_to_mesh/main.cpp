@@ -70,6 +70,7 @@ int run_one(const CommandLine& command) {
     outcome = run_task(command.tasks[0], command,
                        [&bar](double share, const char* stage) { bar.show(share, stage); });
   }
+  for (const std::string& note : outcome.facts.notes) complain(kName, note);
   if (outcome.reached) write_report(command, report_json(outcome.result, outcome.facts));
   if (outcome.ok()) {
     print_summary(command, outcome);

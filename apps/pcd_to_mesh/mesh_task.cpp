@@ -21,6 +21,7 @@
 #include "filters/filter_chain.h"
 #include "io/files.h"
 #include "io/formats.h"
+#include "io/merge.h"
 #include "io/with_file.h"
 #include "step_dump.h"
 
@@ -35,15 +36,32 @@ std::string shown(const std::string& path, const char* stream) {
   return path == kStandardStream ? stream : path;
 }
 
-io::Cloud read_input(const std::string& path, const CommandLine& command) {
-  const std::int64_t most = command.options.max_memory;
-  if (path != kStandardStream && command.from.empty()) return io::read_cloud(path, most);
-  const std::string bytes =
-      path == kStandardStream ? io::read_standard_input(most, &stop_asked) : io::read_file(path, most);
-  const std::string known = command.from.empty() ? io::detect_format(bytes) : command.from;
-  if (known.empty()) throw io::IoError("its format is not recognised; --format names it");
-  io::Cloud cloud = io::decode_cloud(known, bytes);
-  if (io::size_of(cloud.points) == 0) throw io::IoError("there are no points in it");
+void take_notes(const std::string& file, io::Cloud& cloud, std::vector<std::string>& notes) {
+  const std::string begin = file + ": ";
+  for (const std::string& note : cloud.notes) notes.push_back(begin + note);
+  cloud.notes.clear();
+}
+
+/// A file's cloud; what is to be said of it goes to `notes`.
+io::Cloud read_input(const std::string& path, const CommandLine& command, std::vector<std::string>& notes) {
+  const std::string name = shown(path, "standard input");
+  return with_file(name, [&] {
+    const io::ReadOptions options{command.options.max_memory, command.from, command.columns};
+    io::Cloud cloud = path != kStandardStream
+                          ? io::read_cloud(path, options)
+                          : io::decode_any(io::read_standard_input(options.most, &stop_asked), "", options);
+    take_notes(name, cloud, notes);
+    return cloud;
+  });
+}
+
+/// The clouds of all files of a task as one.
+io::Cloud read_inputs(const Task& task, const CommandLine& command, std::vector<std::string>& notes) {
+  io::Cloud cloud = read_input(task.input, command, notes);
+  for (const std::string& file : task.more) {
+    io::append(cloud, read_input(file, command, notes));
+    take_notes(file, cloud, notes);
+  }
   return cloud;
 }
 
@@ -53,7 +71,8 @@ void check_points_out(const Task& task, const std::string& path) {
     return fs::weakly_canonical(path, error) == fs::weakly_canonical(other, error);
   };
   if (same(task.output)) throw io::IoError("the points and the mesh cannot be one file");
-  if (same(task.input)) throw io::IoError("it is the input");
+  if (same(task.input) || std::any_of(task.more.begin(), task.more.end(), same))
+    throw io::IoError("it is an input");
 
   if (!io::can_write_cloud(path))
     throw io::IoError("its extension is none of " + io::extensions_of(io::written_cloud_formats()));
@@ -74,6 +93,8 @@ void check_output(const Task& task, const CommandLine& command) {
     throw io::IoError("its extension is none of " + io::extensions_of(io::mesh_formats()));
   std::error_code error;
   if (fs::equivalent(task.input, task.output, error)) throw io::IoError("it is the input");
+  for (const std::string& file : task.more)
+    if (fs::equivalent(file, task.output, error)) throw io::IoError("it is an input");
   io::check_writable(task.output);
 }
 
@@ -90,7 +111,7 @@ io::Cloud read_and_filter(const Task& task, const CommandLine& command, TaskResu
   RunFacts& facts = outcome.facts;
   io::Cloud cloud;
   try {
-    cloud = with_file(facts.input, [&] { return read_input(task.input, command); });
+    cloud = read_inputs(task, command, facts.notes);
   } catch (const io::IoError&) {
     outcome.interrupted = stop_asked;
     throw;
@@ -151,6 +172,8 @@ Reconstructed reconstruct(io::Cloud cloud, const CommandLine& command, const Pro
   filmsticking.useNoViewPoint();  // but for one that is given
   Options options = command.options;
   if (!options.viewpoint) options.viewpoint = cloud.viewpoint, options.trust_viewpoint = false;
+  if (!cloud.viewpoints.empty())
+    options.viewpoints = std::make_shared<const std::vector<Point>>(std::move(cloud.viewpoints));
   options.max_hole = command.max_hole.value * (command.max_hole.is_share ? diagonal_of(cloud.points) : 1);
   filmsticking.setOptions(options);
   filmsticking.setProgressCallback(progress);
@@ -201,6 +224,8 @@ void run(const Task& task, const CommandLine& command, const Progress& progress,
     with_file(command.points_out, [&] {
       io::write_cloud(command.points_out, {io::with_normals(*made.points, made.normals), viewpoint});
     });
+  if (!command.doubles && io::float_suffices(vertices))
+    vertices = io::with_float_positions(std::move(vertices));
   with_file(outcome.facts.output, [&] { write_output(task, command, vertices, outcome.result.triangles); });
 }
 
@@ -210,6 +235,7 @@ TaskResult run_task(const Task& task, const CommandLine& command, const Progress
   const auto begin = std::chrono::steady_clock::now();
   TaskResult outcome;
   outcome.facts.input = shown(task.input, "standard input");
+  if (!task.more.empty()) outcome.facts.input += " and " + std::to_string(task.more.size()) + " more";
   outcome.facts.output = shown(task.output, "standard output");
   try {
     run(task, command, progress, outcome);

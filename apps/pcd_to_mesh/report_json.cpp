@@ -38,6 +38,7 @@ std::string report_json(const Result& result, const RunFacts& facts) {
                      {"status", status_name(result.status)},
                      {"message", result.message},
                      {"warning", report.warning},
+                     {"notes", facts.notes},
                      {"read", facts.read},
                      {"points", report.points},
                      {"sites", report.sites},

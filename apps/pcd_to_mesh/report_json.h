@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "filmsticking/reconstruct.h"
 
@@ -12,20 +13,22 @@ namespace filmsticking::app {
 struct RunFacts {
   std::string input;
   std::string output;
-  std::int64_t read = 0;  ///< points in the input
-  double seconds = 0;     ///< wall time with reading and writing
+  std::vector<std::string> notes;  ///< how the input was read: sentences
+  std::int64_t read = 0;           ///< points in the input
+  double seconds = 0;              ///< wall time with reading and writing
   std::int64_t peak_memory_bytes = 0;
 };
 
 /// The report of --report. Its fields:
 ///   input, output, status, message, warning: strings; message is empty when status is "Ok", warning unless
-///   the result is doubtful (Report::warning) read: points in the input; points: those that the filters left;
-///   sites, non_finite, duplicates: as in Report interpolated, interpolated_share (of the sites, 0 to 1),
-///   outliers, inserted vertices, triangles, components, genus, boundary_edges, boundary_loops, closed,
-///   manifold: the mesh rounds; steps: a list of round, attracted, virtual_left, weighted, held, seconds
-///   holes: a list of length, diameter, area, centre, edges, closed, as in Hole
-///   rooms: a list of room, seconds
-///   reconstruction_seconds, seconds (with reading and writing), peak_memory_bytes
+///   the result is doubtful (Report::warning)
+///   notes: how the input was read, a list of sentences
+///   read: points in the input; points: those that the filters left; sites, non_finite, duplicates: as in
+///   Report interpolated, interpolated_share (of the sites, 0 to 1), outliers, inserted vertices, triangles,
+///   components, genus, boundary_edges, boundary_loops, closed, manifold: the mesh rounds; steps: a list of
+///   round, attracted, virtual_left, weighted, held, seconds holes: a list of length, diameter, area, centre,
+///   edges, closed, as in Hole rooms: a list of room, seconds reconstruction_seconds, seconds (with reading
+///   and writing), peak_memory_bytes
 std::string report_json(const Result& result, const RunFacts& facts);
 
 /// The name of a status, as in the code.

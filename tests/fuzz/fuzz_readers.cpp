@@ -73,6 +73,21 @@ void read_as(const std::string& format, std::string_view bytes) {
   require_no_fault(round_trip_fault(mesh));
 }
 
+/// As the programs do: the content says the format, and the columns of a text are named.
+void read_with_columns(std::string_view bytes) {
+  for (const std::vector<std::string>& columns :
+       {std::vector<std::string>{}, {"x", "_", "y", "z", "r", "g", "b"}})
+    try {
+      const io::Cloud cloud = io::decode_any(bytes, "", {0, {}, columns});
+      require_no_fault(fault_of(cloud.points, bytes.size()));
+      if (!cloud.viewpoints.empty() && cloud.viewpoints.size() != io::size_of(cloud.points)) std::abort();
+      static_cast<void>(io::float_suffices(cloud.points));
+      for (const std::string& note : cloud.notes)
+        if (note.empty()) std::abort();
+    } catch (const io::IoError&) {
+    }
+}
+
 /// A frame of a capture, which goes through PCL's reader if it is a strict PCD file.
 void read_as_frame(std::string_view bytes) {
   try {
@@ -84,7 +99,7 @@ void read_as_frame(std::string_view bytes) {
   const int file = memfd_create("frame", 0);
   if (file < 0 || write(file, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) std::abort();
   try {
-    const auto frame = stream::pcd_sequence({"/proc/self/fd/" + std::to_string(file)})->next();
+    const auto frame = stream::file_sequence({"/proc/self/fd/" + std::to_string(file)})->next();
     if (frame) require_no_fault(fault_of(stream::frame_points(*frame, {}), bytes.size()));
   } catch (const stream::StreamError&) {
   }
@@ -106,7 +121,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);  // PCL says something of every broken file
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   static_cast<void>(io::detect_format(bytes));
-  for (const char* format : {"pcd", "ply", "obj", "stl", "vtk", "xyz"}) test::read_as(format, bytes);
+  for (const char* format : {"pcd", "ply", "obj", "stl", "vtk", "xyz", "off", "las", "ptx", "grid"})
+    test::read_as(format, bytes);
+  test::read_with_columns(bytes);
   test::read_as_frame(bytes);
   test::read_as_trajectory(bytes);
   return 0;

@@ -102,6 +102,56 @@ TEST(Conversions, ReadsAnyLayoutWithAllFields) {
   }
 }
 
+/// One row of two points with x, z of floats, y of doubles, and three channels of any type.
+template <typename Channel>
+PointCloud2 separate_colours(std::uint8_t type, Channel scale, bool big_endian) {
+  PointCloud2 cloud;
+  add_field(cloud, "X", 0, PointField::FLOAT32);
+  add_field(cloud, "Y", 4, PointField::FLOAT64);
+  add_field(cloud, "Z", 12, PointField::FLOAT32);
+  const char* const names[3] = {"r", "g", "b"};
+  for (std::uint32_t k = 0; k < 3; ++k)
+    add_field(cloud, names[k], 17 + k * static_cast<std::uint32_t>(sizeof(Channel)), type);
+  cloud.width = 2, cloud.height = 1;
+  cloud.point_step = 17 + 3 * sizeof(Channel) + 5;
+  cloud.row_step = 2 * cloud.point_step;
+  cloud.is_bigendian = big_endian;
+  cloud.data.resize(cloud.row_step, 0xcd);
+  const auto store = [&](std::size_t offset, auto value) {
+    auto* bytes = reinterpret_cast<std::uint8_t*>(&value);
+    if (big_endian) std::reverse(bytes, bytes + sizeof value);
+    std::copy(bytes, bytes + sizeof value, cloud.data.begin() + static_cast<std::ptrdiff_t>(offset));
+  };
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::size_t point = i * cloud.point_step;
+    store(point, 0.5F + static_cast<float>(i));
+    store(point + 4, 0.1);
+    store(point + 12, -2.0F);
+    for (std::size_t k = 0; k < 3; ++k)
+      store(point + 17 + k * sizeof(Channel),
+            static_cast<Channel>(scale * static_cast<Channel>(i == 0 ? 1 : k)));
+  }
+  return cloud;
+}
+
+TEST(Conversions, ReadsSeparateColoursOfAnyTypeAndMixedCoordinates) {
+  for (const bool big_endian : {false, true}) {
+    const auto check = [](const PointCloud2& message, std::uint8_t one, std::uint8_t two) {
+      const pcl::PCLPointCloud2 cloud = to_cloud(message);
+      EXPECT_EQ(io::positions_of(cloud), (std::vector<Point>{{0.5, 0.1, -2}, {1.5, 0.1, -2}}));
+      EXPECT_EQ(io::colours_of(cloud), (std::vector<io::Colour>{{one, one, one}, {0, one, two}}));
+    };
+    check(separate_colours<std::uint8_t>(PointField::UINT8, 100, big_endian), 100, 200);
+    check(separate_colours<std::uint16_t>(PointField::UINT16, 257 * 50, big_endian), 50, 100);
+    check(separate_colours<float>(PointField::FLOAT32, 0.4F, big_endian), 102, 204);
+    check(separate_colours<double>(PointField::FLOAT64, 100, big_endian), 100, 200);
+  }
+}
+
+TEST(Conversions, ACloudWithoutPointsNeedsNoFields) {
+  EXPECT_TRUE(io::positions_of(to_cloud(PointCloud2())).empty());
+}
+
 TEST(Conversions, AnEmptyCloudIsNoError) {
   PointCloud2 empty;
   pcl_conversions::fromPCL(io::make_cloud({}), empty);
@@ -124,7 +174,7 @@ TEST(Conversions, RefusesCloudsThatContradictThemselves) {
   };
   refused([](PointCloud2& cloud) { cloud.fields.clear(); });
   refused([](PointCloud2& cloud) { cloud.fields[1].name = "why"; });
-  refused([](PointCloud2& cloud) { cloud.fields[0].datatype = PointField::INT16; });
+  refused([](PointCloud2& cloud) { cloud.fields[0].datatype = 77; });
   refused([](PointCloud2& cloud) { cloud.fields[2].offset = 13; });
   refused([](PointCloud2& cloud) { cloud.fields[2].offset = 0xffffffff; });
   refused(

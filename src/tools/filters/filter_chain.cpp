@@ -5,6 +5,7 @@
 
 #include "io/cloud.h"
 #include "io/io_error.h"
+#include "io/no_return.h"
 #include "steps.h"
 
 namespace filmsticking::filters {
@@ -22,12 +23,12 @@ bool is_in(const Box& box, const Point& p) {
 }
 
 pcl::PCLPointCloud2 usable_points(const pcl::PCLPointCloud2& cloud, const std::optional<Box>& box) {
-  const io::PositionFields fields(cloud);
+  const std::vector<Point> points = io::positions_of(cloud);
+  const std::vector<bool> far = io::absurdly_far(points);
   std::vector<int> kept;
-  for (std::size_t i = 0; i < io::size_of(cloud); ++i) {
-    const Point p = fields.load(io::bytes_of(cloud, i));
-    if (is_usable(p) && (!box || is_in(*box, p))) kept.push_back(static_cast<int>(i));
-  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!far[i] && is_usable(points[i]) && (!box || is_in(*box, points[i])))
+      kept.push_back(static_cast<int>(i));
   return io::select(cloud, kept);
 }
 

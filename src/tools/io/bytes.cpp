@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bytes.h"
 
+#include <cmath>
 #include <limits>
 
 #include "text_scanner.h"
@@ -18,7 +19,7 @@ bool store(T value, void* to) {
 template <typename T, typename Other = T>
 bool store_whole(std::string_view text, void* to) {
   double value = 0;
-  if (!parse_number(text, value)) return false;
+  if (!parse_number(text, value) || value != std::floor(value)) return false;
   if (value >= double{std::numeric_limits<T>::min()} && value <= double{std::numeric_limits<T>::max()})
     return store(static_cast<T>(value), to);
   return value >= double{std::numeric_limits<Other>::min()} &&

@@ -50,7 +50,7 @@ T load(const Byte* bytes) {
 double load(const void* bytes, Scalar type);
 
 /// Puts the text of a number to `to` as its type's bytes. False if it is no number or its type cannot hold
-/// it. Digits behind the point are cut from whole numbers.
+/// it, as a fraction where it is whole.
 bool store_number(std::string_view text, Scalar type, void* to);
 
 /// Appends the number's little-endian bytes.

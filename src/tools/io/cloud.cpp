@@ -16,8 +16,63 @@ namespace {
 constexpr const char* kAxes[3] = {"x", "y", "z"};
 constexpr const char* kViewpointAxes[3] = {"vp_x", "vp_y", "vp_z"};
 
-/// Refuses a cloud whose fields do not lie within a point, or whose points do not lie within its bytes.
-void check_bytes(const pcl::PCLPointCloud2& cloud) {
+bool is_finite(const Point& p) {
+  return std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });
+}
+
+/// Whether rounding keeps decimals: where all are whole multiples of 0.1, 0.01 and so on to 0.0001, the
+/// rounded ones have the same digits.
+bool keeps_digits(const std::vector<Point>& points) {
+  for (const double digits : {1.0, 10.0, 100.0, 1e3, 1e4}) {
+    bool whole = true, kept = true;
+    for (std::size_t i = 0; i < points.size() && whole; ++i)
+      for (const double x : points[i]) {
+        const double scaled = x * digits, near = std::nearbyint(scaled);
+        whole &= std::abs(scaled - near) <= 1e-15 * std::abs(scaled) + 1e-12;
+        kept &= std::nearbyint(double{to_float(x)} * digits) == near;
+      }
+    if (whole) return kept;
+  }
+  return true;
+}
+
+/// Whether rounding moves no point by more than a millionth of the box's diagonal.
+bool keeps_places(const std::vector<Point>& points) {
+  constexpr double kMove = 1e-6;
+  if (points.empty()) return true;
+  Point least = points[0], most = points[0];
+  double move = 0;
+  for (const Point& p : points)
+    for (std::size_t k = 0; k < 3; ++k) {
+      least[k] = std::min(least[k], p[k]), most[k] = std::max(most[k], p[k]);
+      move = std::max(move, std::abs(double{to_float(p[k])} - p[k]));
+    }
+  return move <= kMove * std::hypot(most[0] - least[0], most[1] - least[1], most[2] - least[2]);
+}
+
+/// Whether points of different places stay so.
+bool keeps_apart(std::vector<Point>& points) {
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  const std::size_t distinct = points.size();
+  for (Point& p : points)
+    for (double& x : p) x = double{to_float(x)};
+  std::sort(points.begin(), points.end());
+  return std::unique(points.begin(), points.end()) - points.begin() == static_cast<std::ptrdiff_t>(distinct);
+}
+
+bool float_exact(const Point& p) {
+  return std::all_of(p.begin(), p.end(), [](double x) { return std::isnan(x) || double{to_float(x)} == x; });
+}
+
+}  // namespace
+
+float to_float(double x) {
+  constexpr double kMost = std::numeric_limits<float>::max();
+  return std::isfinite(x) ? static_cast<float>(std::clamp(x, -kMost, kMost)) : static_cast<float>(x);
+}
+
+void check_fields(const pcl::PCLPointCloud2& cloud) {
   for (const pcl::PCLPointField& field : cloud.fields)
     if (field.offset + std::uint64_t{size_of(Scalar{field.datatype})} * std::max(1U, field.count) >
         cloud.point_step)
@@ -28,15 +83,6 @@ void check_bytes(const pcl::PCLPointCloud2& cloud) {
       row == 0 || cloud.height == 0 || (step >= row && step * (cloud.height - 1) + row <= cloud.data.size());
   if (!whole) throw IoError("the cloud has fewer bytes than its header says");
 }
-
-bool float_exact(const Point& p) {
-  return std::all_of(p.begin(), p.end(), [](double x) {
-    // A finite value past the range of float must not be cast.
-    return std::isnan(x) || std::isinf(x) || (std::abs(x) < 3e38 && static_cast<float>(x) == x);
-  });
-}
-
-}  // namespace
 
 std::size_t size_of(const pcl::PCLPointCloud2& cloud) { return std::size_t{cloud.width} * cloud.height; }
 
@@ -53,7 +99,7 @@ const std::uint8_t* bytes_of(const pcl::PCLPointCloud2& cloud, std::size_t point
 }
 
 PositionFields::PositionFields(const pcl::PCLPointCloud2& cloud) {
-  check_bytes(cloud);
+  check_fields(cloud);
   for (int axis = 0; axis < 3; ++axis) {
     const pcl::PCLPointField* field = find_field(cloud, kAxes[axis]);
     const bool single = field && field->datatype == pcl::PCLPointField::FLOAT32;
@@ -94,7 +140,7 @@ std::vector<Point> positions_of(const pcl::PCLPointCloud2& cloud) {
 }
 
 std::vector<Colour> colours_of(const pcl::PCLPointCloud2& cloud) {
-  check_bytes(cloud);
+  check_fields(cloud);
   const pcl::PCLPointField* field = find_field(cloud, "rgb");
   if (!field) field = find_field(cloud, "rgba");
   if (!field || size_of(Scalar{field->datatype}) != 4) return {};
@@ -107,17 +153,21 @@ std::vector<Colour> colours_of(const pcl::PCLPointCloud2& cloud) {
 }
 
 std::vector<Point> viewpoints_of(const pcl::PCLPointCloud2& cloud) {
-  check_bytes(cloud);
-  std::array<const pcl::PCLPointField*, 3> axes{};
-  for (int axis = 0; axis < 3; ++axis) {
-    axes[axis] = find_field(cloud, kViewpointAxes[axis]);
-    if (!axes[axis] || size_of(Scalar{axes[axis]->datatype}) == 0) return {};
+  check_fields(cloud);
+  for (const auto& names : {kViewpointAxes, kStationFields}) {
+    std::array<const pcl::PCLPointField*, 3> axes{};
+    for (int axis = 0; axis < 3; ++axis) {
+      axes[axis] = find_field(cloud, names[axis]);
+      if (axes[axis] && size_of(Scalar{axes[axis]->datatype}) == 0) axes[axis] = nullptr;
+    }
+    if (!axes[0] || !axes[1] || !axes[2]) continue;
+    std::vector<Point> places(size_of(cloud));
+    for (std::size_t i = 0; i < places.size(); ++i)
+      for (int axis = 0; axis < 3; ++axis)
+        places[i][axis] = io::load(bytes_of(cloud, i) + axes[axis]->offset, Scalar{axes[axis]->datatype});
+    return places;
   }
-  std::vector<Point> places(size_of(cloud));
-  for (std::size_t i = 0; i < places.size(); ++i)
-    for (int axis = 0; axis < 3; ++axis)
-      places[i][axis] = io::load(bytes_of(cloud, i) + axes[axis]->offset, Scalar{axes[axis]->datatype});
-  return places;
+  return {};
 }
 
 bool float_exact(const pcl::PCLPointCloud2& cloud) {
@@ -191,22 +241,44 @@ pcl::PCLPointCloud2 with_positions(const pcl::PCLPointCloud2& cloud, const std::
   return moved;
 }
 
-pcl::PCLPointCloud2 with_real_positions(pcl::PCLPointCloud2 cloud) {
-  std::array<const pcl::PCLPointField*, 3> axes{};
-  for (int axis = 0; axis < 3; ++axis) {
-    axes[axis] = find_field(cloud, kAxes[axis]);
-    if (!axes[axis] || axes[axis]->count > 1 || size_of(Scalar{axes[axis]->datatype}) == 0)
-      throw IoError("its points have no x, y and z");
+pcl::PCLPointCloud2 with_stations(const pcl::PCLPointCloud2& cloud, const std::vector<Point>& stations) {
+  std::vector<pcl::PCLPointField> fields = cloud.fields;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    fields.push_back(make_field(kStationFields[axis], cloud.point_step + axis * sizeof(double),
+                                pcl::PCLPointField::FLOAT64));
+  pcl::PCLPointCloud2 placed =
+      make_rows(std::move(fields), cloud.point_step + sizeof(Point), stations.size());
+  std::uint8_t* to = placed.data.data();
+  for (std::size_t i = 0; i < stations.size(); ++i, to += placed.point_step) {
+    std::copy_n(bytes_of(cloud, i), cloud.point_step, to);
+    std::memcpy(to + cloud.point_step, stations[i].data(), sizeof(Point));
   }
-  for (const std::uint8_t real : {pcl::PCLPointField::FLOAT32, pcl::PCLPointField::FLOAT64})
-    if (std::all_of(axes.begin(), axes.end(), [real](const auto* axis) { return axis->datatype == real; }))
-      return cloud;
-  check_bytes(cloud);
-  std::vector<Point> positions(size_of(cloud));
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    for (int axis = 0; axis < 3; ++axis)
-      positions[i][axis] = io::load(bytes_of(cloud, i) + axes[axis]->offset, Scalar{axes[axis]->datatype});
-  return with_positions(cloud, positions);
+  return placed;
+}
+
+pcl::PCLPointCloud2 with_float_positions(pcl::PCLPointCloud2 cloud) {
+  const PositionFields fields(cloud);
+  if (fields.single()) return cloud;
+  for (std::size_t i = 0; i < size_of(cloud); ++i) {
+    std::uint8_t* const point = cloud.data.data() + (bytes_of(cloud, i) - cloud.data.data());
+    const Point p = fields.load(point);
+    for (int axis = 0; axis < 3; ++axis) {
+      const float rounded = to_float(p[axis]);
+      std::memcpy(point + find_field(cloud, kAxes[axis])->offset, &rounded, sizeof rounded);
+    }
+  }
+  for (pcl::PCLPointField& field : cloud.fields)
+    if (std::find(kAxes, kAxes + 3, field.name) != kAxes + 3) field.datatype = pcl::PCLPointField::FLOAT32;
+  return cloud;
+}
+
+bool float_suffices(const pcl::PCLPointCloud2& cloud) {
+  const PositionFields fields(cloud);
+  if (fields.single()) return true;
+  std::vector<Point> points = positions_of(cloud);
+  points.erase(std::remove_if(points.begin(), points.end(), [](const Point& p) { return !is_finite(p); }),
+               points.end());
+  return keeps_digits(points) && keeps_places(points) && keeps_apart(points);
 }
 
 pcl::PCLPointCloud2 with_normals(const pcl::PCLPointCloud2& cloud,

@@ -24,8 +24,16 @@ using Colour = std::array<std::uint8_t, 3>;
 struct Cloud {
   pcl::PCLPointCloud2 points;  ///< x, y, z are FLOAT32 or FLOAT64: the file's values, bit for bit
   std::optional<Point> viewpoint = std::nullopt;
-  std::vector<Point> viewpoints = {};  ///< of each point, where its sensor was; empty if unknown
+  std::vector<Point> viewpoints = {};   ///< of each point, where its sensor was; empty if unknown
+  std::vector<std::string> notes = {};  ///< how the file was read, where that is not plain: sentences
 };
+
+/// The float next to x; the largest for what is beyond, but finite.
+float to_float(double x);
+
+/// Refuses a cloud whose fields do not lie within a point, or whose points do not lie within its bytes.
+/// Throws IoError.
+void check_fields(const pcl::PCLPointCloud2& cloud);
 
 /// Number of points: width times height.
 std::size_t size_of(const pcl::PCLPointCloud2& cloud);
@@ -64,8 +72,11 @@ std::vector<Point> positions_of(const pcl::PCLPointCloud2& cloud);
 /// Colours of all points, from the field rgb or rgba; empty if there is none.
 std::vector<Colour> colours_of(const pcl::PCLPointCloud2& cloud);
 
-/// Where the sensor of each point was, from the fields vp_x, vp_y, vp_z of any number types; empty if one is
-/// missing.
+/// The fields of where the sensor of a point was, where the file has no such fields but says it otherwise.
+constexpr const char* kStationFields[3] = {"_vp_x", "_vp_y", "_vp_z"};
+
+/// Where the sensor of each point was, from the fields vp_x, vp_y, vp_z of any number types, or those of
+/// kStationFields; empty if one is missing.
 std::vector<Point> viewpoints_of(const pcl::PCLPointCloud2& cloud);
 
 /// Whether FLOAT32 keeps the value of every coordinate. Throws IoError as PositionFields does.
@@ -86,9 +97,16 @@ pcl::PCLPointCloud2 make_cloud(const std::vector<Point>& positions, const std::v
 /// The cloud with other positions, one a point, of type FLOAT64, in one row. All other fields are kept.
 pcl::PCLPointCloud2 with_positions(const pcl::PCLPointCloud2& cloud, const std::vector<Point>& positions);
 
-/// The cloud with x, y, z of any number types, one value each, as PositionFields needs them: FLOAT64 with the
-/// same values where they are not all FLOAT32. Throws IoError where one is missing.
-pcl::PCLPointCloud2 with_real_positions(pcl::PCLPointCloud2 cloud);
+/// The cloud with its positions rounded to FLOAT32, and all other fields.
+pcl::PCLPointCloud2 with_float_positions(pcl::PCLPointCloud2 cloud);
+
+/// Whether FLOAT32 tells the points apart: no two of different places become one, none moves by more than a
+/// millionth of the box's diagonal, and coordinates that are whole thousandths, or tenths of them, keep their
+/// digits. Points that are not finite do not count. Throws IoError as PositionFields does.
+bool float_suffices(const pcl::PCLPointCloud2& cloud);
+
+/// The cloud with the fields of kStationFields: where each point was seen from.
+pcl::PCLPointCloud2 with_stations(const pcl::PCLPointCloud2& cloud, const std::vector<Point>& stations);
 
 /// The cloud with the fields normal_x, normal_y and normal_z, FLOAT32; all other fields, and rows, are kept.
 /// `normals`: one a point. Throws IoError as make_rows() does.

@@ -5,23 +5,23 @@
 
 #include <pcl/PolygonMesh.h>
 
+#include <array>
 #include <string_view>
 #include <vector>
 
 #include "bytes.h"
 #include "cloud.h"
+#include "point_layout.h"
 
 namespace filmsticking::io {
 
-/// A PCD file (ascii, binary, binary_compressed) with all fields. x, y, z of other types than FLOAT32 become
-/// FLOAT64. The order of the header's lines is free.
+/// A PCD file (ascii, binary, binary_compressed) with all fields, as PointLayout makes them. The order of the
+/// header's lines is free.
 Cloud decode_pcd(std::string_view bytes);
 
-/// A PLY file (ascii, binary of either byte order) with all scalar properties of the vertices, under their
-/// names and types. Byte properties red, green, blue become PCL's field rgb, or rgba with alpha; nx, ny, nz
-/// become normal_x, normal_y, normal_z. x, y, z of other types than float become FLOAT64. Lists of vertices
-/// and other elements are skipped.
-pcl::PolygonMesh decode_ply(std::string_view bytes);
+/// A PLY file (ascii, binary of either byte order) with all scalar properties of the vertices, as PointLayout
+/// makes them. Lists of vertices and other elements are skipped. `notes`, if any, is set.
+pcl::PolygonMesh decode_ply(std::string_view bytes, Notes* notes = nullptr);
 
 /// Vertices, with colours where every vertex has one, and faces of a Wavefront OBJ file.
 pcl::PolygonMesh decode_obj(std::string_view bytes);
@@ -29,15 +29,43 @@ pcl::PolygonMesh decode_obj(std::string_view bytes);
 /// An STL file, binary or text; equal corners become one vertex.
 pcl::PolygonMesh decode_stl(std::string_view bytes);
 
-/// Points, polygons and triangle strips of a legacy VTK file of polygonal data, text or binary, up to version
-/// 5.1. The first scalars of three or four unsigned bytes are colours. All else is skipped.
-/// Source of the format: "VTK File Formats" of the VTK User's Guide.
-pcl::PolygonMesh decode_vtk(std::string_view bytes);
+/// Points, polygons and triangle strips of a legacy VTK file of polygonal data, or the points of an
+/// unstructured or structured grid, text or binary, up to version 5.1. The first scalars of three or four
+/// unsigned bytes are colours. All else is skipped. Source of the format: "VTK File Formats" of the VTK
+/// User's Guide.
+pcl::PolygonMesh decode_vtk(std::string_view bytes, Notes* notes = nullptr);
 
-/// A text with one point a line: x, y, z, and anything after them, separated by blanks, commas or semicolons.
-/// Lines that begin with # or //, empty lines, and a heading before the first point are skipped. Columns 4 to
-/// 6 are colours if they are whole numbers from 0 to 255 in every line and more than 0 and 1 occur.
-Cloud decode_xyz(std::string_view bytes);
+/// A table of points as text, one a line. `columns`: names of its columns, "_" for none; empty: they are
+/// taken from the file's header, or from what the columns can be, and notes say so. Named columns are kept as
+/// fields. Comments, headings and a trailer are skipped; lines that do not fit the others are refused.
+Cloud decode_xyz(std::string_view bytes, const std::vector<std::string>& columns = {});
+
+/// The stations of a Leica PTX file, moved by their matrices, with colours where all have them. Points
+/// without a return (0 0 0) are not finite. The fields of kStationFields have each point's station.
+Cloud decode_ptx(std::string_view bytes);
+
+/// A station of a PTX file.
+struct Station {
+  pcl::PCLPointCloud2 points;   ///< in its own coordinates
+  std::array<double, 16> pose;  ///< to the world's, row by row, for columns
+};
+
+/// The stations one by one.
+std::vector<Station> decode_stations(std::string_view bytes);
+
+/// Whether the text begins as PTX files do.
+bool is_ptx(std::string_view bytes);
+
+/// The cells of an Esri ASCII grid of heights that have a height, at their centres.
+Cloud decode_grid(std::string_view bytes);
+
+/// The vertices, with colours, and faces of an OFF file (OFF, COFF, NOFF, CNOFF, STOFF).
+pcl::PolygonMesh decode_off(std::string_view bytes);
+
+/// A LAS file 1.0 to 1.4 of point formats 0 to 10 with colours, intensity, classification and time.
+/// Coordinates are the doubles nearest to their decimals. LAZ is refused.
+/// Source of the format: "LAS Specification 1.4 - R15", ASPRS.
+Cloud decode_las(std::string_view bytes);
 
 /// A binary little-endian PLY file with all fields of the vertices: the inverse of decode_ply(). Coordinates
 /// are float where that keeps every value, else double. 64-bit integers, which PLY lacks, become double.
@@ -67,6 +95,9 @@ void encode_xyz(const Cloud& cloud, ByteWriter& out);
 
 /// Appends a polygon as a fan of triangles.
 void append_polygon(const std::vector<std::int32_t>& corners, std::vector<Triangle>& triangles);
+
+/// Refuses a word of a text file that should be a number; `word` lies in `file`. Throws IoError.
+[[noreturn]] void throw_no_number(std::string_view file, std::string_view word);
 
 /// A file's number of a vertex, from zero. Throws IoError if it cannot be one.
 std::int32_t corner_index(double value);

@@ -7,7 +7,10 @@
 #include "codecs.h"
 #include "files.h"
 #include "io_error.h"
+#include "no_return.h"
+#include "refused_formats.h"
 #include "text_scanner.h"
+#include "text_table.h"
 
 namespace filmsticking::io {
 namespace {
@@ -23,22 +26,66 @@ bool is_binary_stl(std::string_view bytes) {
          bytes.size() == kHeader + 4 + kTriangle * std::size_t{load<std::uint32_t>(bytes.data() + kHeader)};
 }
 
-/// By the first line of text that is not a comment: "pcd" (a header may begin with comments), "obj", "xyz" or
-/// nothing.
+std::string lower(std::string_view word) {
+  std::string text(word);
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+bool is_off(std::string_view word) {
+  return word.size() >= 3 && word.size() <= 6 && word.substr(word.size() - 3) == "OFF" &&
+         word.find_first_not_of("STCN4nOF") == std::string_view::npos;
+}
+
+bool begins_with_two_numbers(std::string_view text) {
+  TextScanner line(text);
+  double number = 0;
+  int numbers = 0;
+  for (std::string_view word = line.word(); !word.empty() && numbers < 2; word = line.word()) {
+    while (!word.empty() && std::string_view("\"'[({").find(word[0]) != std::string_view::npos)
+      word.remove_prefix(1);
+    while (!word.empty() && std::string_view("\"'])}").find(word.back()) != std::string_view::npos)
+      word.remove_suffix(1);
+    numbers += parse_number(word, number) ? 1 : 0;
+  }
+  return numbers == 2;
+}
+
+/// By the first line of text that is not a comment, or else by a line with numbers.
 std::string detect_text(std::string_view bytes) {
-  TextScanner file(bytes);
-  for (std::string_view text; file.line(text);) {
-    TextScanner line(text);
-    const std::string_view word = line.word();
-    if (word == "VERSION" || word == "FIELDS") return "pcd";
-    if (word.empty() || word[0] == '#' || begins_with(word, "//")) continue;
-    for (const char* keyword : {"v", "vn", "vt", "f", "o", "g", "mtllib", "usemtl", "s"})
-      if (word == keyword) return "obj";
-    double number = 0;
-    TextScanner again(text);
-    return again.number(number) ? "xyz" : "";
+  constexpr std::size_t kMost = 1 << 16;
+  std::string buffer;
+  std::string_view text;
+  try {
+    text = plain_text(bytes.substr(0, kMost), buffer);
+  } catch (const IoError&) {
+    return "";
+  }
+  if (is_ptx(text)) return "ptx";
+  Lines lines(text);
+  bool first = true;
+  for (std::string_view line; lines.next(line);) {
+    TextScanner words(line);
+    const std::string_view word = words.word();
+    if (word == "VERSION" || word == "FIELDS" || word == "COLUMNS") return "pcd";
+    if (is_comment(line) || word.empty()) continue;
+    if (first) {
+      if (is_off(word)) return "off";
+      for (const char* keyword : {"v", "vn", "vt", "vp", "f", "o", "g", "mtllib", "usemtl", "s"})
+        if (word == keyword) return "obj";
+      if (lower(word) == "ncols" || lower(word) == "nrows") return "grid";
+    }
+    first = false;
+    if (begins_with_two_numbers(line)) return "xyz";
   }
   return "";
+}
+
+bool is_table(const std::string& format) {
+  for (const char* name : {"xyz", "txt", "csv", "asc", "pts"})
+    if (format == name) return true;
+  return false;
 }
 
 [[noreturn]] void throw_no_vertex() { throw IoError("a face in it names a vertex that does not exist"); }
@@ -48,9 +95,14 @@ struct Format {
   bool reads_cloud, reads_mesh, writes_mesh, writes_cloud;
 };
 constexpr Format kFormats[] = {
-    {"pcd", true, false, false, true}, {"ply", true, true, true, true},    {"obj", true, true, true, false},
-    {"stl", true, true, true, false},  {"vtk", false, true, true, false},  {"xyz", true, false, false, true},
-    {"txt", true, false, false, true}, {"glb", false, false, true, false},
+    {"pcd", true, false, false, true},  {"ply", true, true, true, true},
+    {"obj", true, true, true, false},   {"stl", true, true, true, false},
+    {"vtk", true, true, true, false},   {"off", true, true, false, false},
+    {"las", true, false, false, false}, {"ptx", true, false, false, false},
+    {"pts", true, false, false, false}, {"xyz", true, false, false, true},
+    {"txt", true, false, false, true},  {"csv", true, false, false, false},
+    {"asc", true, false, false, false}, {"grid", true, false, false, false},
+    {"glb", false, false, true, false},
 };
 
 template <class Wanted>
@@ -65,6 +117,19 @@ bool has_extension_of(const std::string& path, const std::vector<std::string>& f
   const std::string extension = extension_of(path);
   return std::any_of(formats.begin(), formats.end(),
                      [&](const std::string& format) { return extension == "." + format; });
+}
+
+/// The format of a file's content; else that of its extension, which then says what is wrong.
+std::string content_format(const std::string& extension, std::string_view bytes) {
+  refuse_unread_formats(bytes, "");
+  std::string found = detect_format(bytes);
+  if (!found.empty()) return found;
+  refuse_unread_formats(bytes, extension);
+  for (const std::string& format : cloud_formats())
+    if (extension == "." + format) return format;
+  std::string list;
+  for (const std::string& format : cloud_formats()) list += " " + format;
+  throw IoError("its content is of no format that is read:" + list);
 }
 
 /// The path's extension without its dot, if it is one of the formats.
@@ -102,27 +167,48 @@ std::string extensions_of(const std::vector<std::string>& formats) {
 }
 
 std::string detect_format(std::string_view bytes) {
-  if (begins_with(bytes, "ply\n") || begins_with(bytes, "ply\r")) return "ply";
+  for (const char* first_line : {"ply\n", "ply\r", "ply ", "ply\t"})
+    if (begins_with(bytes, first_line)) return "ply";
   if (begins_with(bytes, "# .PCD")) return "pcd";
+  if (begins_with(bytes, "LASF")) return "las";
+  if (lower(bytes.substr(0, 14)) == "# vtk datafile") return "vtk";
   if (is_binary_stl(bytes) || begins_with(bytes, "solid")) return "stl";
   return detect_text(bytes);
 }
 
-Cloud decode_cloud(const std::string& format, std::string_view bytes) {
-  Cloud cloud = format == "pcd"                      ? decode_pcd(bytes)
-                : format == "xyz" || format == "txt" ? decode_xyz(bytes)
-                                                     : Cloud{decode_mesh(format, bytes).cloud};
+Cloud decode_cloud(const std::string& format, std::string_view bytes,
+                   const std::vector<std::string>& columns) {
+  if (!columns.empty() && !is_table(format))
+    throw IoError("its columns have names of their own; --columns is for tables as text");
+  Cloud cloud;
+  if (format == "pcd") {
+    cloud = decode_pcd(bytes);
+  } else if (format == "las") {
+    cloud = decode_las(bytes);
+  } else if (format == "ptx") {
+    cloud = decode_ptx(bytes);
+  } else if (format == "grid") {
+    cloud = decode_grid(bytes);
+  } else if (is_table(format)) {
+    cloud = decode_xyz(bytes, columns);
+  } else {
+    Notes notes;
+    cloud.points = decode_mesh(format, bytes, &notes).cloud;
+    cloud.notes = std::move(notes);
+  }
   cloud.viewpoints = viewpoints_of(cloud.points);
   return cloud;
 }
 
-pcl::PolygonMesh decode_mesh(const std::string& format, std::string_view bytes) {
-  if (format == "ply") return decode_ply(bytes);
+pcl::PolygonMesh decode_mesh(const std::string& format, std::string_view bytes, Notes* notes) {
+  if (format == "ply") return decode_ply(bytes, notes);
   if (format == "obj") return decode_obj(bytes);
   if (format == "stl") return decode_stl(bytes);
-  if (format == "vtk") return decode_vtk(bytes);
-  if (format == "pcd" || format == "xyz" || format == "txt")
-    return make_mesh(format == "pcd" ? decode_pcd(bytes).points : decode_xyz(bytes).points, {});
+  if (format == "vtk") return decode_vtk(bytes, notes);
+  if (format == "off") return decode_off(bytes);
+  const std::vector<std::string>& known = cloud_formats();
+  if (std::find(known.begin(), known.end(), format) != known.end())
+    return make_mesh(decode_cloud(format, bytes).points, {});
   throw IoError("there is no format '" + format + "' for points");
 }
 
@@ -152,27 +238,29 @@ std::string encode_mesh(const std::string& format, const pcl::PolygonMesh& mesh)
   return bytes;
 }
 
-Cloud read_cloud(const std::string& path, std::int64_t most) {
-  check_readable(path, most);
-  const std::string format = format_of(path, cloud_formats());
-  Cloud cloud = decode_cloud(format, read_file(path, most));
+Cloud decode_any(std::string_view bytes, const std::string& extension, const ReadOptions& options) {
+  const std::string format = options.format.empty() ? content_format(extension, bytes) : options.format;
+  Cloud cloud = decode_cloud(format, bytes, options.columns);
   if (size_of(cloud.points) == 0) throw IoError("there are no points in it");
+  if (const std::size_t missing = mark_missing_heights(cloud.points); missing > 0)
+    cloud.notes.push_back("left out " + std::to_string(missing) + " points without a height");
   return cloud;
 }
 
+Cloud read_cloud(const std::string& path, const ReadOptions& options) {
+  const std::string bytes = read_file(path, options.most);
+  return decode_any(bytes, extension_of(path), options);
+}
+
 pcl::PolygonMesh read_mesh(const std::string& path) {
-  check_readable(path);
-  const std::string format = format_of(path, formats_where([](const Format& f) { return f.reads_mesh; }));
-  pcl::PolygonMesh mesh = decode_mesh(format, read_file(path));
+  pcl::PolygonMesh mesh = read_model(path);
   if (mesh.polygons.empty()) throw IoError("there are no triangles in it");
   return mesh;
 }
 
 pcl::PolygonMesh read_model(const std::string& path) {
-  check_readable(path);
-  const std::string format =
-      format_of(path, formats_where([](const Format& f) { return f.reads_cloud || f.reads_mesh; }));
-  return decode_mesh(format, read_file(path));
+  const std::string bytes = read_file(path);
+  return decode_mesh(content_format(extension_of(path), bytes), bytes);
 }
 
 bool can_write_mesh(const std::string& path) { return has_extension_of(path, mesh_formats()); }
@@ -202,6 +290,16 @@ void write_cloud(const std::string& path, const Cloud& cloud) {
     }
     out.flush();
   });
+}
+
+void throw_no_number(std::string_view file, std::string_view word) {
+  constexpr std::size_t kShown = 30;
+  std::string shown(word.substr(0, kShown));
+  for (char& c : shown)
+    if (c < ' ' || c > '~') c = '?';
+  throw IoError("line " +
+                std::to_string(line_number(file, static_cast<std::size_t>(word.data() - file.data()))) +
+                ": '" + shown + (word.size() > kShown ? ".." : "") + "' is no number of its column's type");
 }
 
 void append_polygon(const std::vector<std::int32_t>& corners, std::vector<Triangle>& triangles) {

@@ -11,10 +11,20 @@
 
 #include "bytes.h"
 #include "cloud.h"
+#include "point_layout.h"
 
 namespace filmsticking::io {
 
-/// The formats of points, as extensions without a dot: pcd ply obj stl xyz txt.
+/// How a file of points is read.
+struct ReadOptions {
+  std::int64_t most = 0;    ///< bytes, as of read_file()
+  std::string format = {};  ///< of cloud_formats(); empty: by the content
+  std::vector<std::string> columns =
+      {};  ///< names of the columns of a text, "_" for none; empty: by the text
+};
+
+/// The names of the formats of points: pcd ply obj stl vtk off las ptx pts xyz txt csv asc grid. pts, xyz,
+/// txt, csv and asc are the same: tables as text.
 const std::vector<std::string>& cloud_formats();
 
 /// The formats that write_cloud() writes: pcd ply xyz txt.
@@ -29,11 +39,13 @@ std::string extensions_of(const std::vector<std::string>& formats);
 /// The format of points that the bytes begin like; empty if none. Text of numbers is xyz.
 std::string detect_format(std::string_view bytes);
 
-/// Points, with all their fields, of a format of cloud_formats() or vtk. Throws IoError.
-Cloud decode_cloud(const std::string& format, std::string_view bytes);
+/// Points, with all their fields, of a format of cloud_formats(). `columns` as in ReadOptions. Throws
+/// IoError.
+Cloud decode_cloud(const std::string& format, std::string_view bytes,
+                   const std::vector<std::string>& columns = {});
 
-/// The same with the triangles, if any.
-pcl::PolygonMesh decode_mesh(const std::string& format, std::string_view bytes);
+/// The same with the triangles, if any. `notes`, if any, is set.
+pcl::PolygonMesh decode_mesh(const std::string& format, std::string_view bytes, Notes* notes = nullptr);
 
 /// Sends the bytes of a file of a format of mesh_formats(). Every coordinate reads back as the same number,
 /// but for glb. PLY keeps all fields, the others colours alone, STL none. Throws IoError, at a mesh that the
@@ -44,16 +56,19 @@ void encode_mesh(const std::string& format, const pcl::PCLPointCloud2& vertices,
 /// The same bytes in one piece.
 std::string encode_mesh(const std::string& format, const pcl::PolygonMesh& mesh);
 
-/// Reads points from .pcd, .ply, .obj, .stl (the vertices of a mesh), .xyz or .txt, with all their fields.
-/// Broken files are refused, and so are files without points and files of more bytes than `most`, as by
-/// read_file(). Throws IoError.
-Cloud read_cloud(const std::string& path, std::int64_t most = 0);
+/// Points of a file with this extension (".las"; empty: it has no name), whose content says the format unless
+/// the options do. Broken files are refused, and so are files without points, and formats that are not read,
+/// with the tool that converts them. Throws IoError.
+Cloud decode_any(std::string_view bytes, const std::string& extension, const ReadOptions& options = {});
 
-/// Reads a mesh of triangles from .ply, .obj, .stl or .vtk, its vertices with all their fields. A file
-/// without triangles is refused. Throws IoError.
+/// The same of a file; files of more bytes than options.most are refused. Throws IoError.
+Cloud read_cloud(const std::string& path, const ReadOptions& options = {});
+
+/// Reads a mesh of triangles by its content, its vertices with all their fields. A file without triangles is
+/// refused. Throws IoError.
 pcl::PolygonMesh read_mesh(const std::string& path);
 
-/// Reads points, a mesh or nothing from a file that read_cloud() or read_mesh() takes. Throws IoError.
+/// Reads points, a mesh or nothing by the content. Throws IoError.
 pcl::PolygonMesh read_model(const std::string& path);
 
 /// Whether write_mesh() knows the path's extension: .ply, .obj, .stl, .vtk or .glb.

@@ -10,9 +10,19 @@
 namespace filmsticking::io {
 namespace {
 
-std::uint8_t to_byte(double share) {
-  if (std::isnan(share)) return 0;
-  return static_cast<std::uint8_t>(std::lround(std::clamp(share, 0.0, 1.0) * 255));
+/// Colours are from 0 to 1, but some writers have bytes.
+std::vector<Colour> to_bytes(const std::vector<Point>& shares) {
+  double most = 0;
+  for (const Point& share : shares)
+    for (const double x : share) most = std::max(most, x);
+  const double scale = most > 1 ? 1 : 255;
+  std::vector<Colour> colours(shares.size());
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double byte = shares[i][k] * scale;
+      colours[i][k] = static_cast<std::uint8_t>(byte >= 0 ? std::lround(std::min(byte, 255.0)) : 0);
+    }
+  return colours;
 }
 
 /// A face's corners, from zero. In the file they count from one, or backwards from the last vertex.
@@ -31,13 +41,13 @@ std::vector<std::int32_t> read_corners(TextScanner& line, std::size_t vertices) 
 
 pcl::PolygonMesh decode_obj(std::string_view bytes) {
   std::vector<Point> positions;
-  std::vector<Colour> colours;
+  std::vector<Point> colours;
   std::vector<Triangle> triangles;
   TextScanner file(bytes);
   std::size_t number = 0;
   for (std::string_view text; file.line(text);) {
     ++number;
-    TextScanner line(text);
+    TextScanner line(text, TextScanner::kBlanks);
     const std::string_view keyword = line.word();
     if (keyword == "v") {
       Point p{};
@@ -47,14 +57,14 @@ pcl::PolygonMesh decode_obj(std::string_view bytes) {
       std::vector<double> more;
       for (double x; line.remaining() > 0 && line.number(x);) more.push_back(x);
       if (const std::size_t n = more.size(); n >= 3)  // a fourth number alone is a weight
-        colours.push_back({to_byte(more[n - 3]), to_byte(more[n - 2]), to_byte(more[n - 1])});
+        colours.push_back({more[n - 3], more[n - 2], more[n - 1]});
     } else if (keyword == "f") {
       append_polygon(read_corners(line, positions.size()), triangles);
     }
   }
   if (colours.size() != positions.size()) colours.clear();
   check_corners(triangles, positions.size());
-  return make_mesh(make_cloud(positions, colours), triangles);
+  return make_mesh(make_cloud(positions, to_bytes(colours)), triangles);
 }
 
 void encode_obj(const pcl::PCLPointCloud2& vertices, const std::vector<Triangle>& triangles,

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One check, then PCL's reader. Headers are read by hand, as PCL's reader of them crashes on broken ones; so
-// is text, where PCL's takes words that are no numbers for 0.
+// By hand: PCL's reader of headers crashes on broken ones, and takes words that are no numbers for 0.
 #include <pcl/io/lzf.h>
-#include <pcl/io/pcd_io.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "codecs.h"
 #include "io_error.h"
+#include "point_layout.h"
 #include "strict_pcd.h"
 #include "text_scanner.h"
 
@@ -45,7 +45,7 @@ long long parse_count(TextScanner& line, const char* what) {
 }
 
 Data parse_data(std::string_view word) {
-  if (word == "ascii") return Data::Ascii;
+  if (word == "ascii" || word == "ASCII") return Data::Ascii;
   if (word == "binary") return Data::Binary;
   if (word == "binary_compressed") return Data::Compressed;
   throw IoError("its PCD header has unknown data '" + std::string(word) + "'");
@@ -93,7 +93,7 @@ Header parse_header(TextScanner& file) {
   std::string_view text, keyword;
   while (keyword != "DATA") {
     if (!file.line(text)) throw IoError("it is not a PCD file");
-    TextScanner line(text);
+    TextScanner line(text, TextScanner::kBlanks);
     keyword = line.word();
     parse_line(keyword, line, header);
   }
@@ -116,60 +116,96 @@ Scalar scalar_of(const Field& field) {
   throw IoError("its field '" + field.name + "' has an unknown type");
 }
 
-/// Refuses compressed data that do not have `size` bytes; PCL's reader would write about them on stderr.
-void check_compressed(std::string_view body, std::size_t size) {
+std::vector<Column> columns_of(const Header& header) {
+  std::vector<Column> columns;
+  for (const Field& field : header.fields)
+    if (field.count > 0)
+      columns.push_back(
+          {field.name == "_" ? "" : field.name, scalar_of(field), static_cast<std::size_t>(field.count)});
+  if (columns.empty()) throw IoError("its points have no x, y and z");
+  return columns;
+}
+
+/// Refuses more points than the body can hold. Returns the bytes of a point.
+std::size_t check_size(const Header& header, const std::vector<Column>& columns, std::string_view body) {
+  std::size_t step = 0, words = 0;
+  for (const Column& column : columns) {
+    if (column.count > body.size()) throw_short();
+    step += size_of(column.type) * column.count;
+    words += column.count;
+  }
+  const auto points = static_cast<std::size_t>(header.points);
+  if (header.data != Data::Compressed && points > body.size() / (header.data == Data::Ascii ? words : step))
+    throw_short();
+  if (points > UINT32_MAX / step) throw IoError("its points take more than 4 GB");
+  return step;
+}
+
+/// The values of each field, one field after the other. PCL leaves the padding "_" out, others do not; then
+/// its columns are removed.
+std::string decompressed(const Header& header, std::vector<Column>& columns, std::string_view body) {
   if (body.size() < 8) throw_short();
-  const std::size_t compressed = load<std::uint32_t>(body.data());
+  const std::size_t compressed = load<std::uint32_t>(body.data()),
+                    size = load<std::uint32_t>(body.data() + 4);
+  const auto points = static_cast<std::size_t>(header.points);
+  std::size_t step = check_size(header, columns, body);
+  if (size != points * step) {
+    columns.erase(
+        std::remove_if(columns.begin(), columns.end(), [](const Column& c) { return c.name.empty(); }),
+        columns.end());
+    step = columns.empty() ? 0 : check_size(header, columns, body);
+  }
   // Three bytes stand for at most 264.
-  if (compressed > body.size() - 8 || load<std::uint32_t>(body.data() + 4) != size || size / 100 > compressed)
+  if (step == 0 || compressed > body.size() - 8 || size != points * step || size / 100 > compressed)
     throw_short();
   std::string bytes(size, '\0');
   if (size > 0 && pcl::lzfDecompress(body.data() + 8, static_cast<unsigned>(compressed), bytes.data(),
                                      static_cast<unsigned>(size)) != size)
     throw IoError("its compressed data are broken");
+  return bytes;
 }
 
-/// The cloud that the header describes, all zeros, once the body can hold it. PCL's reader takes fields named
-/// "_" for padding that compressed data lack; here they have no name, and bytes as any other.
-pcl::PCLPointCloud2 cloud_of(const Header& header, std::string_view body) {
-  std::vector<pcl::PCLPointField> fields;
-  std::size_t step = 0, words = 0;
-  for (const Field& field : header.fields) {
-    const Scalar type = scalar_of(field);
-    const auto count = static_cast<std::size_t>(field.count);
-    if (count > body.size()) throw_short();
-    if (count == 0) continue;
-    fields.push_back(
-        make_field(field.name == "_" ? "" : field.name, step, static_cast<std::uint8_t>(type), count));
-    step += size_of(type) * count;
-    words += count;
+void read_compressed(const std::string& bytes, const std::vector<Column>& columns, const PointLayout& layout,
+                     pcl::PCLPointCloud2& cloud) {
+  const char* from = bytes.data();
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const std::size_t size = size_of(columns[c].type) * columns[c].count;
+    if (layout.offset(c) != PointLayout::kNowhere)
+      for (std::size_t i = 0; i < size_of(cloud); ++i)
+        std::memcpy(&cloud.data[i * cloud.point_step + layout.offset(c)], from + i * size, size);
+    from += size * size_of(cloud);
   }
-  if (fields.empty()) throw IoError("its points have no x, y and z");
-  const auto points = static_cast<std::size_t>(header.points);
-  if (header.data != Data::Compressed &&
-      points > body.size() / std::max<std::size_t>(header.data == Data::Ascii ? words : step, 1))
-    throw_short();
-  if (points > UINT32_MAX / std::max<std::size_t>(step, 1)) throw IoError("its points take more than 4 GB");
-  if (header.data == Data::Compressed) check_compressed(body, points * step);
-  pcl::PCLPointCloud2 cloud = make_rows(std::move(fields), step, points);
-  cloud.width = static_cast<std::uint32_t>(header.width);
-  cloud.height = static_cast<std::uint32_t>(header.height);
-  cloud.row_step = cloud.width * cloud.point_step;
-  return cloud;
 }
 
-void read_text(std::string_view body, pcl::PCLPointCloud2& cloud) {
-  TextScanner text(body);
-  std::uint8_t* to = cloud.data.data();
-  for (std::size_t i = 0; i < size_of(cloud); ++i)
-    for (const pcl::PCLPointField& field : cloud.fields)
-      for (std::size_t k = 0; k < field.count; ++k) {
-        const auto type = static_cast<Scalar>(field.datatype);
+/// Colours packed into a float are written as a float, or as the whole number of the same bits.
+bool store_packed(std::string_view word, Scalar type, void* to) {
+  constexpr long long kLeast = 1 << 16;
+  long long value = 0;
+  if (type != Scalar::Float || !parse_integer(word, value) || value < kLeast || value > UINT32_MAX)
+    return false;
+  const auto bits = static_cast<std::uint32_t>(value);
+  std::memcpy(to, &bits, sizeof bits);
+  return true;
+}
+
+void read_text(std::string_view file, std::string_view body, const std::vector<Column>& columns,
+               const PointLayout& layout, pcl::PCLPointCloud2& cloud) {
+  TextScanner text(body, TextScanner::kBlanks);
+  char skipped[8];
+  std::uint8_t* point = cloud.data.data();
+  for (std::size_t i = 0; i < size_of(cloud); ++i, point += cloud.point_step)
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      for (std::size_t k = 0; k < columns[c].count; ++k) {
+        const Scalar type = columns[c].type;
+        void* const to = layout.offset(c) == PointLayout::kNowhere
+                             ? static_cast<void*>(skipped)
+                             : static_cast<void*>(point + layout.offset(c) + k * size_of(type));
         const std::string_view word = text.word();
         if (word.empty()) throw_short();
-        if (!store_number(word, type, to)) throw IoError("its body has a word that is no number of its type");
-        to += size_of(type);
+        if (columns[c].name == "rgb" && store_packed(word, type, to)) continue;
+        if (!store_number(word, type, to)) throw_no_number(file, word);
       }
+  if (!text.word().empty()) throw IoError("it has more numbers than its PCD header says; correct the header");
 }
 
 // ---- the letter of the format
@@ -249,17 +285,25 @@ Cloud decode_pcd(std::string_view bytes) {
   TextScanner file(bytes);
   const Header header = parse_header(file);
   const std::string_view body = bytes.substr(bytes.size() - file.remaining());
-  Cloud cloud{cloud_of(header, body), header.viewpoint};
-  if (header.data == Data::Ascii) {
-    read_text(body, cloud.points);
-  } else if (header.points > 0) {
-    pcl::PCDReader().readBodyBinary(reinterpret_cast<const unsigned char*>(body.data()), cloud.points,
-                                    pcl::PCDReader::PCD_V7, header.data == Data::Compressed, 0);
+  std::vector<Column> columns = columns_of(header);
+  check_size(header, columns, body);
+  std::string unpacked;
+  if (header.data == Data::Compressed) unpacked = decompressed(header, columns, body);
+  const PointLayout layout(columns);
+  const auto points = static_cast<std::size_t>(header.points);
+  Cloud cloud;
+  if (header.data == Data::Binary) {
+    cloud.points = layout.read(body, points, false, cloud.notes);
+  } else {
+    cloud.points = layout.cloud(points);
+    header.data == Data::Ascii ? read_text(bytes, body, columns, layout, cloud.points)
+                               : read_compressed(unpacked, columns, layout, cloud.points);
+    layout.finish(cloud.points, cloud.notes);
   }
-  auto& fields = cloud.points.fields;
-  fields.erase(std::remove_if(fields.begin(), fields.end(), [](const auto& f) { return f.name.empty(); }),
-               fields.end());
-  cloud.points = with_real_positions(std::move(cloud.points));
+  cloud.points.width = static_cast<std::uint32_t>(header.width);
+  cloud.points.height = static_cast<std::uint32_t>(header.height);
+  cloud.points.row_step = cloud.points.width * cloud.points.point_step;
+  cloud.viewpoint = header.viewpoint;
   return cloud;
 }
 
@@ -306,7 +350,16 @@ void check_pcd(std::string_view bytes) {
   }
   if (header.points == 0 || header.points > kMostPoints || !header.consistent)
     refuse("WIDTH times HEIGHT is not POINTS");
-  cloud_of(header, body);
+  std::vector<Column> columns = columns_of(header);
+  check_size(header, columns, body);
+  if (header.data == Data::Compressed) {
+    const std::size_t all = columns.size();
+    decompressed(header, columns, body);
+    if (columns.size() == all &&
+        std::any_of(columns.begin(), columns.end(), [](const Column& c) { return c.name.empty(); }))
+      refuse("its compressed data have padding");
+  }
+  const PointLayout has_positions(columns);
   check_header_ends(body);
   if (header.data == Data::Ascii) check_text(body, static_cast<std::size_t>(header.points), numbers);
 }

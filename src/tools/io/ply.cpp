@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 
 #include "codecs.h"
 #include "io_error.h"
+#include "point_layout.h"
 #include "text_scanner.h"
 
 namespace filmsticking::io {
@@ -21,7 +21,6 @@ struct Property {
   Scalar type = Scalar::Float;
   bool is_list = false;
   Scalar count_type = Scalar::UInt8;
-  std::optional<std::size_t> offset = std::nullopt;  // of its bytes in a point; none: it is skipped
 };
 
 struct Element {
@@ -40,12 +39,13 @@ constexpr std::pair<const char*, const char*> kNormals[] = {
 
 Scalar parse_type(std::string_view name) {
   static const std::map<std::string_view, Scalar> types = {
-      {"char", Scalar::Int8},     {"int8", Scalar::Int8},     {"uchar", Scalar::UInt8},
-      {"uint8", Scalar::UInt8},   {"short", Scalar::Int16},   {"int16", Scalar::Int16},
-      {"ushort", Scalar::UInt16}, {"uint16", Scalar::UInt16}, {"int", Scalar::Int32},
-      {"int32", Scalar::Int32},   {"uint", Scalar::UInt32},   {"uint32", Scalar::UInt32},
-      {"float", Scalar::Float},   {"float32", Scalar::Float}, {"double", Scalar::Double},
-      {"float64", Scalar::Double}};
+      {"char", Scalar::Int8},      {"int8", Scalar::Int8},     {"uchar", Scalar::UInt8},
+      {"uint8", Scalar::UInt8},    {"short", Scalar::Int16},   {"int16", Scalar::Int16},
+      {"ushort", Scalar::UInt16},  {"uint16", Scalar::UInt16}, {"int", Scalar::Int32},
+      {"int32", Scalar::Int32},    {"uint", Scalar::UInt32},   {"uint32", Scalar::UInt32},
+      {"float", Scalar::Float},    {"float32", Scalar::Float}, {"double", Scalar::Double},
+      {"float64", Scalar::Double}, {"int64", Scalar::Int64},   {"uint64", Scalar::UInt64},
+      {"long", Scalar::Int64},     {"ulong", Scalar::UInt64}};
   const auto found = types.find(name);
   if (found == types.end()) throw IoError("its PLY header has an unknown type '" + std::string(name) + "'");
   return found->second;
@@ -91,9 +91,9 @@ Property parse_property(TextScanner& line) {
 PlyHeader parse_ply_header(TextScanner& file) {
   PlyHeader header;
   std::string_view text;
-  if (!file.line(text) || text != "ply") throw IoError("it is not a PLY file");
+  if (!file.line(text) || TextScanner(text).word() != "ply") throw IoError("it is not a PLY file");
   while (file.line(text)) {
-    TextScanner line(text);
+    TextScanner line(text, TextScanner::kBlanks);
     const std::string_view keyword = line.word();
     if (keyword == "end_header") return header;
     if (keyword == "format") {
@@ -111,7 +111,20 @@ PlyHeader parse_ply_header(TextScanner& file) {
 /// The values of the body, one after the other.
 class Body {
  public:
-  Body(PlyFormat format, std::string_view bytes) : format_(format), bytes_(bytes), text_(bytes) {}
+  /// `file` has the body from byte `begin` on.
+  Body(PlyFormat format, std::string_view file, std::size_t begin)
+      : format_(format), file_(file), bytes_(file.substr(begin)), text_(bytes_, TextScanner::kBlanks) {}
+
+  PlyFormat format() const { return format_; }
+
+  /// The bytes of an element without lists.
+  std::string_view take_bytes(const Element& element) {
+    std::size_t size = 0;
+    for (const Property& property : element.properties) size += size_of(property.type);
+    const std::string_view bytes = bytes_.substr(0, size * element.count);  // check_count() saw them
+    bytes_.remove_prefix(bytes.size());
+    return bytes;
+  }
 
   /// Puts the next number to `to` as its type's bytes.
   void take(Scalar type, void* to) {
@@ -144,6 +157,12 @@ class Body {
     for (std::size_t r = 0; r < repeats; ++r) value(property.type);
   }
 
+  /// Refuses a text with more numbers than its header says, as all of them may be of other points.
+  void check_end() {
+    if (format_ == PlyFormat::Ascii && !text_.word().empty())
+      throw IoError("it has more numbers than its PLY header says; correct the header");
+  }
+
   /// Refuses an element with more rows than the rest of the file can hold.
   void check_count(const Element& element) {
     std::size_t smallest = 0;
@@ -159,92 +178,50 @@ class Body {
   void take_text(Scalar type, void* to) {
     const std::string_view word = text_.word();
     if (word.empty()) throw_short();
-    if (!store_number(word, type, to)) throw IoError("its body has a word that is no number of its type");
+    if (!store_number(word, type, to)) throw_no_number(file_, word);
   }
 
   [[noreturn]] static void throw_short() { throw IoError("it ends before its PLY header says"); }
 
   PlyFormat format_;
-  std::string_view bytes_;
+  std::string_view file_, bytes_;
   TextScanner text_;
 };
 
-/// Where a byte property goes in PCL's packed colour: blue, green, red, alpha. None if it is no colour.
-std::optional<std::size_t> place_in_colour(const Property& property) {
-  static const std::map<std::string_view, std::size_t> places = {
-      {"blue", 0},         {"green", 1},         {"red", 2},         {"alpha", 3},
-      {"diffuse_blue", 0}, {"diffuse_green", 1}, {"diffuse_red", 2}, {"diffuse_alpha", 3}};
-  const auto found = places.find(property.name);
-  if (found == places.end() || property.is_list || property.type != Scalar::UInt8) return std::nullopt;
-  return found->second;
+/// Values of Gaussians, not of points on a surface; SuperSplat's packed ones lack x, y and z.
+void refuse_splats(const PlyHeader& header) {
+  for (const Element& element : header.elements)
+    for (const Property& property : element.properties)
+      if (property.name == "f_dc_0" || property.name == "packed_position")
+        throw IoError(
+            "it has Gaussian splats, whose centres are no points of a surface; convert it with 3dgsconverter "
+            "(-f cc), and read what that writes");
 }
 
-/// PCL's name of a property.
-std::string field_name(const std::string& name) {
-  for (const auto& [ply, pcl] : kNormals)
-    if (name == ply) return pcl;
-  return name;
-}
-
-/// Gives the properties of the vertices their places in a point, and the points their fields: x, y, z, then
-/// all others in the order of the file.
-class Layout {
- public:
-  explicit Layout(Element& vertices) : vertices_(vertices) {
-    bool channels[4] = {};
-    for (const Property& property : vertices.properties)
-      if (const auto place = place_in_colour(property)) channels[*place] = true;
-    coloured_ = channels[0] && channels[1] && channels[2];
-    alpha_ = channels[3];
-    for (const char* axis : {"x", "y", "z"})
-      for (Property& property : vertices.properties)
-        if (property.name == axis) add(property);
-    if (fields_.size() != 3) throw IoError("its vertices have no x, y and z");
-    for (Property& property : vertices.properties) add(property);
+pcl::PCLPointCloud2 read_vertices(Body& body, const Element& element, Notes& notes) {
+  std::vector<Column> columns;
+  std::vector<std::size_t> column_of(element.properties.size());
+  bool lists = false;
+  for (std::size_t k = 0; k < element.properties.size(); ++k) {
+    const Property& property = element.properties[k];
+    column_of[k] = columns.size();
+    lists |= property.is_list;
+    if (!property.is_list) columns.push_back({property.name, property.type});
   }
-
-  pcl::PCLPointCloud2 cloud() const {
-    pcl::PCLPointCloud2 cloud = make_rows(fields_, step_, vertices_.count);
-    if (coloured_ && !alpha_)
-      for (std::size_t at = *colour_ + 3; at < cloud.data.size(); at += step_) cloud.data[at] = 255;
-    return cloud;
-  }
-
- private:
-  void add(Property& property) {
-    if (property.is_list || property.offset) return;
-    if (const auto place = place_in_colour(property); place && coloured_) {
-      if (!colour_) colour_ = alpha_ ? add_field("rgba", Scalar::UInt32) : add_field("rgb", Scalar::Float);
-      property.offset = *colour_ + *place;
-      return;
-    }
-    const std::string name = field_name(property.name);
-    const bool known = std::any_of(fields_.begin(), fields_.end(),
-                                   [&](const pcl::PCLPointField& field) { return field.name == name; });
-    if (!known) property.offset = add_field(name, property.type);
-  }
-
-  std::size_t add_field(const std::string& name, Scalar type) {
-    const std::size_t offset = step_;
-    fields_.push_back(make_field(name, offset, static_cast<std::uint8_t>(type)));
-    step_ += size_of(type);
-    return offset;
-  }
-
-  Element& vertices_;
-  std::vector<pcl::PCLPointField> fields_;
-  std::size_t step_ = 0;
-  std::optional<std::size_t> colour_;
-  bool coloured_ = false, alpha_ = false;
-};
-
-pcl::PCLPointCloud2 read_vertices(Body& body, Element& element) {
-  pcl::PCLPointCloud2 cloud = Layout(element).cloud();
+  const PointLayout layout(columns);
+  if (body.format() != PlyFormat::Ascii && !lists)
+    return layout.read(body.take_bytes(element), element.count, body.format() == PlyFormat::BigEndian, notes);
+  pcl::PCLPointCloud2 cloud = layout.cloud(element.count);
   std::uint8_t* point = cloud.data.data();
   for (std::size_t row = 0; row < element.count; ++row, point += cloud.point_step)
-    for (const Property& property : element.properties)
-      property.offset ? body.take(property.type, point + *property.offset) : body.skip(property);
-  return with_real_positions(std::move(cloud));
+    for (std::size_t k = 0; k < element.properties.size(); ++k) {
+      const Property& property = element.properties[k];
+      const std::size_t offset = property.is_list ? PointLayout::kNowhere : layout.offset(column_of[k]);
+      offset == PointLayout::kNowhere ? body.skip(property) : body.take(property.type, point + offset);
+    }
+  layout.finish(cloud, notes);
+  if (lists) notes.push_back("the lists of its vertices are left out");
+  return cloud;
 }
 
 /// That there are such vertices is seen at the end: faces may come first.
@@ -263,20 +240,22 @@ void read_faces(Body& body, const Element& element, std::vector<Triangle>& trian
 }
 
 /// A property that encode_ply() writes.
-struct Column {
+struct Written {
   std::string name;
   Scalar type;
   std::size_t offset;  // in a point
 };
 
 /// The columns of a field. x, y, z, and the padding that PCD files name "_", have none.
-std::vector<Column> columns_of(const pcl::PCLPointField& field) {
+std::vector<Written> written_of(const pcl::PCLPointField& field) {
   const auto type = static_cast<Scalar>(field.datatype);
   if (field.name == "x" || field.name == "y" || field.name == "z" || field.name == "_") return {};
+  if (std::find(std::begin(kStationFields), std::end(kStationFields), field.name) != std::end(kStationFields))
+    return {};  // a mesh is seen from anywhere
   if ((field.name == "rgb" || field.name == "rgba") && size_of(type) == 4) {
-    std::vector<Column> channels = {{"red", Scalar::UInt8, field.offset + 2UL},
-                                    {"green", Scalar::UInt8, field.offset + 1UL},
-                                    {"blue", Scalar::UInt8, field.offset}};
+    std::vector<Written> channels = {{"red", Scalar::UInt8, field.offset + 2UL},
+                                     {"green", Scalar::UInt8, field.offset + 1UL},
+                                     {"blue", Scalar::UInt8, field.offset}};
     if (field.name == "rgba") channels.push_back({"alpha", Scalar::UInt8, field.offset + 3UL});
     return channels;
   }
@@ -287,40 +266,42 @@ std::vector<Column> columns_of(const pcl::PCLPointField& field) {
     if (std::strchr(" \t\r\n\v\f,;", c)) c = '_';
   if (name.empty() || size_of(type) == 0) return {};
   if (field.count <= 1) return {{name, type, field.offset}};
-  std::vector<Column> columns;
+  std::vector<Written> columns;
   for (std::size_t k = 0; k < field.count; ++k)
     columns.push_back({name + "_" + std::to_string(k), type, field.offset + k * size_of(type)});
   return columns;
 }
 
 /// The columns of all fields. No name occurs twice; the packed colour has the names of colours.
-std::vector<Column> columns_of(const pcl::PCLPointCloud2& cloud) {
+std::vector<Written> written_of(const pcl::PCLPointCloud2& cloud) {
   const pcl::PCLPointField* colour = find_field(cloud, "rgb");
   if (!colour) colour = find_field(cloud, "rgba");
   std::set<std::string> taken;
   if (colour)
-    for (const Column& column : columns_of(*colour)) taken.insert(column.name);
-  std::vector<Column> columns;
+    for (const Written& column : written_of(*colour)) taken.insert(column.name);
+  std::vector<Written> columns;
   for (const pcl::PCLPointField& field : cloud.fields)
-    for (const Column& column : columns_of(field))
+    for (const Written& column : written_of(field))
       if (&field == colour || taken.insert(column.name).second) columns.push_back(column);
   return columns;
 }
 
 }  // namespace
 
-pcl::PolygonMesh decode_ply(std::string_view bytes) {
+pcl::PolygonMesh decode_ply(std::string_view bytes, Notes* notes) {
   TextScanner file(bytes);
-  PlyHeader header = parse_ply_header(file);
-  Body body(header.format, bytes.substr(bytes.size() - file.remaining()));
+  const PlyHeader header = parse_ply_header(file);
+  refuse_splats(header);
+  Body body(header.format, bytes, bytes.size() - file.remaining());
+  Notes said;
 
   pcl::PCLPointCloud2 vertices = make_cloud({});
   std::vector<Triangle> triangles;
-  for (Element& element : header.elements) {
+  for (const Element& element : header.elements) {
     if (element.properties.empty()) continue;
     body.check_count(element);
     if (element.name == "vertex" && size_of(vertices) == 0) {
-      vertices = read_vertices(body, element);
+      vertices = read_vertices(body, element, said);
     } else if (element.name == "face") {
       read_faces(body, element, triangles);
     } else {
@@ -328,7 +309,9 @@ pcl::PolygonMesh decode_ply(std::string_view bytes) {
         for (const Property& property : element.properties) body.skip(property);
     }
   }
+  body.check_end();
   check_corners(triangles, size_of(vertices));
+  if (notes) *notes = std::move(said);
   return make_mesh(std::move(vertices), triangles);
 }
 
@@ -336,14 +319,14 @@ void encode_ply(const pcl::PCLPointCloud2& vertices, const std::vector<Triangle>
                 ByteWriter& out) {
   const PositionFields positions(vertices);
   const bool single = float_exact(vertices);
-  const std::vector<Column> columns = columns_of(vertices);
+  const std::vector<Written> columns = written_of(vertices);
   std::string header =
       "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(size_of(vertices)) + "\n";
   const auto add_property = [&header](const char* type, const std::string& name) {
     header.append("property ").append(type).append(" ").append(name).append("\n");
   };
   for (const char* axis : {"x", "y", "z"}) add_property(single ? "float" : "double", axis);
-  for (const Column& column : columns) add_property(type_name(column.type), column.name);
+  for (const Written& column : columns) add_property(type_name(column.type), column.name);
   if (!triangles.empty())
     header +=
         "element face " + std::to_string(triangles.size()) + "\nproperty list uchar int vertex_indices\n";
@@ -354,7 +337,7 @@ void encode_ply(const pcl::PCLPointCloud2& vertices, const std::vector<Triangle>
       const std::uint8_t* point = bytes_of(vertices, i);
       for (const double x : positions.load(point))
         single ? append(bytes, static_cast<float>(x)) : append(bytes, x);
-      for (const Column& column : columns) {
+      for (const Written& column : columns) {
         const auto* value = reinterpret_cast<const char*>(point) + column.offset;
         if (column.type == Scalar::Int64 || column.type == Scalar::UInt64) {
           append(bytes, load(value, column.type));

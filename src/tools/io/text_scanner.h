@@ -8,12 +8,18 @@
 
 namespace filmsticking::io {
 
-/// Takes words and numbers from the front of a text. Blanks, commas and semicolons separate words.
+/// Takes words and numbers from the front of a text.
 class TextScanner {
  public:
-  explicit TextScanner(std::string_view text) : rest_(text) {}
+  static constexpr std::string_view kBlanks = " \t\r\n\v\f";
+  static constexpr std::string_view kBlanksAndCommas = " \t\r\n\v\f,;";
 
-  /// The next line without its end ("\n" or "\r\n"); false at the end of the text.
+  /// `separators`: what separates words.
+  explicit TextScanner(std::string_view text, std::string_view separators = kBlanksAndCommas)
+      : rest_(text), separators_(separators) {}
+
+  /// The next line without its end ("\n", "\r\n", or "\r" where the first line ends so); false at the end of
+  /// the text.
   bool line(std::string_view& line);
 
   /// The next word, past any line ends; empty at the end of the text.
@@ -27,13 +33,18 @@ class TextScanner {
   std::size_t remaining() const { return rest_.size(); }
 
  private:
-  std::string_view rest_;
+  std::string_view rest_, separators_;
+  char end_ = 0;  // of lines; 0 before the first
 };
+
+/// The number of the line at this byte of a text, from 1.
+std::size_t line_number(std::string_view text, std::size_t at);
 
 /// The whole of `word` as a whole number.
 bool parse_integer(std::string_view word, long long& value);
 
-/// The whole of `word` as a number, rounded once to T (float or double).
+/// The whole of `word` as a number, rounded once to T (float or double). Also as other languages write it:
+/// a decimal comma, Fortran's exponent d, "1.#QNAN" and "-nan(ind)".
 template <typename T>
 bool parse_number(std::string_view word, T& value);
 

@@ -138,13 +138,18 @@ class Decoder {
   explicit Decoder(std::string_view bytes) : body_(bytes) {}
 
   /// Ends: every turn takes a word at least.
-  pcl::PolygonMesh decode() {
+  pcl::PolygonMesh decode(Notes* notes) {
     header();
     for (std::string keyword = body_.keyword(); !keyword.empty(); keyword = body_.keyword()) {
       if (keyword == "points") {
         points();
-      } else if (keyword == "vertices" || keyword == "lines") {
+      } else if (keyword == "vertices" || keyword == "lines" || keyword == "cells") {
         cells([](const std::vector<std::int32_t>&) {});
+      } else if (keyword == "cell_types") {
+        const std::size_t count = body_.count();
+        body_.skip(count, 1, Scalar::Int32);
+      } else if (keyword == "dimensions") {
+        for (int k = 0; k < 3; ++k) body_.count();
       } else if (keyword == "polygons") {
         cells([&](const std::vector<std::int32_t>& c) { append_polygon(c, triangles_); });
       } else if (keyword == "triangle_strips") {
@@ -168,10 +173,18 @@ class Decoder {
     check_corners(triangles_, positions_.size());
     if (!colours_.empty() && colours_.size() != positions_.size())
       throw IoError("it does not have a colour a point");
+    if (notes && !left_out_.empty()) notes->push_back("left out its point data" + left_out_);
     return make_mesh(make_cloud(positions_, colours_), triangles_);
   }
 
  private:
+  void leave_out(std::string_view name) {
+    constexpr std::size_t kMost = 200;
+    if (!of_points_ || left_out_.size() > kMost) return;
+    left_out_ += " ";
+    for (const char c : name.substr(0, 40)) left_out_ += c < ' ' || c > '~' ? '?' : c;
+  }
+
   void header() {
     constexpr std::string_view kMagic = "# vtk datafile version ";
     const std::string magic = lower(body_.line());
@@ -184,8 +197,11 @@ class Decoder {
     const std::string format = body_.keyword();
     if (format != "ascii" && format != "binary") throw IoError("it is neither a text nor a binary VTK file");
     body_.set_binary(format == "binary");
-    if (body_.keyword() != "dataset" || body_.keyword() != "polydata")
-      throw IoError("it is not a legacy VTK file of polygons");
+    if (body_.keyword() != "dataset") throw IoError("its VTK header has no DATASET");
+    const std::string kind = body_.keyword();
+    if (kind != "polydata" && kind != "unstructured_grid" && kind != "structured_grid")
+      throw IoError("its VTK data are " + kind.substr(0, 20) +
+                    ", which have no points; save them as POLYDATA or UNSTRUCTURED_GRID");
   }
 
   void points() {
@@ -256,6 +272,7 @@ class Decoder {
         ++left;
         continue;
       }
+      if (tuples_) leave_out(name);
       const std::size_t size = body_.count(), tuples = body_.count();
       body_.skip(tuples, size, body_.type());
     }
@@ -292,8 +309,10 @@ class Decoder {
       }
       if (word != "lookup_table") throw IoError("scalars in it have no lookup table");
       body_.word();
+      if (type != Scalar::UInt8 || size < 3) leave_out(name);
       type == Scalar::UInt8 ? colours(size, type, 1) : body_.skip(*tuples_, size, type);
     } else if (const auto found = sizes.find(keyword); found != sizes.end()) {
+      leave_out(name);
       body_.skip(*tuples_, found->second, body_.type());
     } else {
       throw IoError("its VTK data has an unknown attribute '" + keyword.substr(0, 20) + "'");
@@ -321,11 +340,12 @@ class Decoder {
   bool offsets_ = false;               // are cells written as in version 5?
   std::optional<std::size_t> tuples_;  // of an attribute, once the attributes have begun
   bool of_points_ = false;             // or else of cells
+  std::string left_out_;               // names of point data
 };
 
 }  // namespace
 
-pcl::PolygonMesh decode_vtk(std::string_view bytes) { return Decoder(bytes).decode(); }
+pcl::PolygonMesh decode_vtk(std::string_view bytes, Notes* notes) { return Decoder(bytes).decode(notes); }
 
 void encode_vtk(const pcl::PCLPointCloud2& vertices, const std::vector<Triangle>& triangles,
                 ByteWriter& out) {

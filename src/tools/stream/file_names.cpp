@@ -40,13 +40,21 @@ bool natural_less(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::vector<std::string> pcd_files_in(const std::string& folder) {
+bool is_frame_file(const std::string& path) {
+  const std::string extension = io::extension_of(path);
+  for (const char* known : {".pcd", ".ply", ".las", ".ptx", ".pts", ".xyz"})
+    if (extension == known) return true;
+  return false;
+}
+
+std::vector<std::string> frame_files_in(const std::string& folder) {
   std::vector<std::string> files;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
-    if (io::extension_of(entry.path().string()) == ".pcd") files.push_back(entry.path().string());
+    if (is_frame_file(entry.path().string())) files.push_back(entry.path().string());
   if (error) throw StreamError(folder + ": " + error.message());
-  if (files.empty()) throw StreamError(folder + ": there are no .pcd files in it");
+  if (files.empty())
+    throw StreamError(folder + ": there are no .pcd, .ply, .las, .ptx, .pts or .xyz files in it");
   std::sort(files.begin(), files.end(), natural_less);
   return files;
 }

@@ -25,9 +25,10 @@ class FrameSource {
   virtual std::optional<std::size_t> size() const { return std::nullopt; }
 };
 
-/// The PCD files in the order given, one read at a time. A number at the end of a file's name
-/// ("scan_12.5.pcd") is the frame's time.
-std::unique_ptr<FrameSource> pcd_sequence(std::vector<std::string> files);
+/// The files in the order given, one read at a time: PCD, which must follow the format to the letter, or any
+/// format of io::read_cloud(). Every station of a PTX file is a frame with its pose. A number at the end of a
+/// file's name ("scan_12.5.pcd") is the frame's time.
+std::unique_ptr<FrameSource> file_sequence(std::vector<std::string> files);
 
 /// A recording of a depth camera (.oni), or a camera by its OpenNI2 name ("", "#1", a URI), read by
 /// pcl::io::OpenNI2Grabber. A recording plays once, at its own speed. Frames that are not fetched in time are
@@ -37,9 +38,12 @@ std::unique_ptr<FrameSource> openni_source(const std::string& device_or_file);
 /// Whether PCL was built with OpenNI2, which openni_source() needs.
 bool has_openni();
 
-/// The .pcd files of a folder, sorted by name with numbers by value ("2" before "10"). Throws StreamError if
-/// there are none.
-std::vector<std::string> pcd_files_in(const std::string& folder);
+/// The .pcd, .ply, .las, .ptx, .pts and .xyz files of a folder, sorted by name with numbers by value ("2"
+/// before "10"). Throws StreamError if there are none.
+std::vector<std::string> frame_files_in(const std::string& folder);
+
+/// Whether the file's extension is one of those of frame_files_in().
+bool is_frame_file(const std::string& path);
 
 /// The number at the end of a file's name without its extension: 12.5 for "scan_12.5.pcd".
 std::optional<double> time_in_name(const std::string& path);

@@ -473,19 +473,22 @@ TEST(Obj, AColourThatIsNoNumberIsNone) {
 }
 
 TEST(Xyz, SeparatorsCommentsAndHeadingsAreUnderstood) {
-  const Model model = io::decode_xyz(
-      "3\nX,Y,Z,Intensity\n# comment\n// another\n\n0.1 0.2 0.3\n1,2,3,0.5\r\n\t4; 5; 6\nnan NaN "
-      "inf\n7\t8\t9");
-  ASSERT_EQ(model.positions.size(), 5u);
-  EXPECT_EQ(model.positions[0], (Point{0.1, 0.2, 0.3}));
-  EXPECT_EQ(model.positions[1], (Point{1, 2, 3}));
-  EXPECT_EQ(model.positions[2], (Point{4, 5, 6}));
-  EXPECT_TRUE(std::isnan(model.positions[3][0]));
-  EXPECT_EQ(model.positions[4], (Point{7, 8, 9}));
+  for (const char* separator : {" ", ",", ";", "\t", ", ", "  "}) {
+    std::string text = "4\na heading\n# comment\n// another\n\n0.1 0.2 0.3\n1 2 3\r\n\nnan NaN inf\n7 8 9";
+    for (std::size_t at = text.find("0.1"); (at = text.find(' ', at)) != std::string::npos;
+         at += std::string_view(separator).size())
+      text.replace(at, 1, separator);
+    const Model model = io::decode_xyz(text);
+    ASSERT_EQ(model.positions.size(), 4u) << text;
+    EXPECT_EQ(model.positions[0], (Point{0.1, 0.2, 0.3}));
+    EXPECT_EQ(model.positions[1], (Point{1, 2, 3}));
+    EXPECT_TRUE(std::isnan(model.positions[2][0]));
+    EXPECT_EQ(model.positions[3], (Point{7, 8, 9}));
+  }
 }
 
 TEST(Xyz, WholeNumbersUpTo255AreColours) {
-  EXPECT_EQ(Model(io::decode_xyz("0 0 0 255 128 0\n1 0 0 1 2 3 0.5\n")).colours,
+  EXPECT_EQ(Model(io::decode_xyz("0 0 0 255 128 0\n1 0 0 1 2 3\n")).colours,
             (std::vector<Colour>{{255, 128, 0}, {1, 2, 3}}));
   EXPECT_TRUE(Model(io::decode_xyz("0 0 0 0 0 1\n1 0 0 0 1 0\n")).colours.empty());  // normals
   EXPECT_TRUE(Model(io::decode_xyz("0 0 0 0.5 0 0.5\n1 0 0 255 0 0\n")).colours.empty());
@@ -745,7 +748,7 @@ TEST(Pcd, BrokenFilesAreRefusedQuietly) {
 
 TEST(Formats, MessagesListAllThatCanBeReadOrWritten) {
   const ScratchFolder folder;
-  write_text(folder / "mesh.las", "LASF");
+  write_text(folder / "cloud.foo", "prose without numbers");
   const auto message = [](const auto& work) -> std::string {
     try {
       work();
@@ -754,12 +757,14 @@ TEST(Formats, MessagesListAllThatCanBeReadOrWritten) {
     }
     return "";
   };
-  const std::string path = folder / "mesh.las", none = "its extension is none of ";
-  EXPECT_EQ(message([&] { io::read_cloud(path); }), none + ".pcd .ply .obj .stl .xyz .txt");
-  EXPECT_EQ(message([&] { io::read_mesh(path); }), none + ".ply .obj .stl .vtk");
-  EXPECT_EQ(message([&] { io::read_model(path); }), none + ".pcd .ply .obj .stl .vtk .xyz .txt");
+  const std::string path = folder / "cloud.foo";
+  const std::string none = "its content is of no format that is read: pcd ply obj stl vtk off las ptx pts xyz "
+                           "txt csv asc grid";
+  EXPECT_EQ(message([&] { io::read_cloud(path); }), none);
+  EXPECT_EQ(message([&] { io::read_mesh(path); }), none);
+  EXPECT_EQ(message([&] { io::read_model(path); }), none);
   EXPECT_EQ(message([&] { io::write_mesh(path, tetrahedron(true)); }),
-            none + io::extensions_of(io::mesh_formats()));
+            "its extension is none of " + io::extensions_of(io::mesh_formats()));
   EXPECT_EQ(io::extensions_of(io::mesh_formats()), ".ply .obj .stl .vtk .glb");
 }
 
@@ -802,7 +807,7 @@ TEST(Files, MoreBytesThanTheBoundAreNotRead) {
   write_text(folder / "cloud.xyz", "0 0 0\n1 0 0\n");
   EXPECT_EQ(io::read_file(folder / "cloud.xyz", 12).size(), 12u);
   EXPECT_THROW(io::read_file(folder / "cloud.xyz", 11), IoError);
-  EXPECT_THROW(io::read_cloud(folder / "cloud.xyz", 11), IoError);
+  EXPECT_THROW(io::read_cloud(folder / "cloud.xyz", {11}), IoError);
   // A file with a hole: no byte of it is on the disk.
   std::filesystem::resize_file(folder / "cloud.xyz", io::most_bytes_read() + 1);
   EXPECT_NE(error_of(folder / "cloud.xyz").find("larger"), std::string::npos);

@@ -13,7 +13,7 @@ const std::string kBun0 = TEST_DATA "/bun0.pcd", kBun4 = TEST_DATA "/bun4.pcd";
 TEST(Accumulator, LeavesOutFramesAndSaysWhy) {
   Accumulator accumulator({}, trajectory_poses(parse_trajectory("0 0 0 0 0 0 0 1\n")));
   EXPECT_EQ(io::size_of(accumulator.cloud()), 0u);
-  const auto source = pcd_sequence({kBun0, kBun4});
+  const auto source = file_sequence({kBun0, kBun4});
   const Frame bun0 = *source->next(), bun4 = *source->next();
   EXPECT_FALSE(accumulator.add(bun0));
   const auto fault = accumulator.add(bun4);  // its time is 4

@@ -18,10 +18,10 @@ TEST(FileNames, AreSortedByTheirNumbers) {
     std::ofstream(folder / name) << "x";
   const std::vector<std::string> expected = {folder / "scan_1.PCD", folder / "scan_2.pcd",
                                              folder / "scan_002b.pcd", folder / "scan_10.pcd"};
-  EXPECT_EQ(pcd_files_in(folder.path().string()), expected);
-  EXPECT_THROW(pcd_files_in(folder / "missing"), StreamError);
+  EXPECT_EQ(frame_files_in(folder.path().string()), expected);
+  EXPECT_THROW(frame_files_in(folder / "missing"), StreamError);
   const ScratchFolder empty;
-  EXPECT_THROW(pcd_files_in(empty.path().string()), StreamError);
+  EXPECT_THROW(frame_files_in(empty.path().string()), StreamError);
 }
 
 TEST(FileNames, TellTheTime) {

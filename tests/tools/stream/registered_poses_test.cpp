@@ -30,7 +30,7 @@ TEST(RegisteredPoses, FindsTheMotionBetweenTwoRealScans) {
     RegistrationOptions options;
     options.fit = method;
     const auto poses = registered_poses(options);
-    const auto source = pcd_sequence({kBun0, kBun4});
+    const auto source = file_sequence({kBun0, kBun4});
     const Frame first = *source->next(), second = *source->next();
     EXPECT_TRUE(poses(first, points_of(first)).pose->isApprox(Pose::Identity()));
     const Placement found = poses(second, points_of(second));
@@ -45,7 +45,7 @@ TEST(RegisteredPoses, FindsTheMotionBetweenTwoRealScans) {
 TEST(RegisteredPoses, IsTheSameInEveryUnitAndFarFromTheOrigin) {
   const auto fit = [](double scale, const Eigen::Vector3d& offset) {
     const auto poses = registered_poses({});
-    const auto source = pcd_sequence({kBun0, kBun4});
+    const auto source = file_sequence({kBun0, kBun4});
     Placement found;
     for (int k = 0; k < 2; ++k) {
       const Frame frame = *source->next();
@@ -68,7 +68,7 @@ TEST(RegisteredPoses, IsTheSameInEveryUnitAndFarFromTheOrigin) {
 
 TEST(RegisteredPoses, AFrameThatDoesNotFitIsRefused) {
   const auto poses = registered_poses({});
-  const auto source = pcd_sequence({kBun0, TEST_DATA "/lamppost.pcd"});
+  const auto source = file_sequence({kBun0, TEST_DATA "/lamppost.pcd"});
   const Frame bunny = *source->next(), lamppost = *source->next();
   ASSERT_TRUE(poses(bunny, points_of(bunny)).pose);
   const Placement none = poses(lamppost, points_of(lamppost));
