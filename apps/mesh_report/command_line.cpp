@@ -14,6 +14,9 @@ void add_options(Arguments& arguments, CommandLine& command) {
                   "points on each of the two surfaces for the distances between them; default 100000, at "
                   "most 1000000",
                   command.samples, 1, mesh_report::kMostSamples);
+  arguments.option("--html", "FILE.html",
+                   "write a page to look at, without a network: the mesh with its marks, distances, holes",
+                   command.html);
   arguments.flag("--json", "print one JSON object", command.json);
 }
 

@@ -14,6 +14,7 @@ struct CommandLine {
   std::string mesh;
   std::string truth;   ///< empty: none
   std::string points;  ///< empty: none
+  std::string html;    ///< file of the page; empty: none
   std::size_t samples = mesh_report::kDefaultSamples;
   bool json = false;
   bool help = false;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // mesh_report: measurements of a mesh.
 #include <cstdio>
+#include <filesystem>
 
 #include "command_line.h"
 #include "common/program.h"
+#include "io/files.h"
 #include "io/formats.h"
 #include "io/with_file.h"
+#include "page/page.h"
 #include "report/report.h"
 
 using namespace filmsticking;
@@ -26,10 +29,22 @@ void run(const CommandLine& command) {
   if (!command.truth.empty())
     truth = mesh_report::make_surface(with_file(command.truth, [&] { return io::read_mesh(command.truth); }));
 
+  if (!command.html.empty()) with_file(command.html, [&] { io::check_writable(command.html); });
+
   mesh_report::Report report = mesh_report::report_on(mesh);
-  if (!command.points.empty()) report.cloud = mesh_report::cloud_fit(mesh, points);
+  mesh_report::CloudDistances distances;
+  if (!command.points.empty()) {
+    distances = cloud_distances(mesh, points);
+    report.cloud = mesh_report::cloud_fit(mesh, distances);
+  }
   if (!command.truth.empty())
     report.truth = mesh_report::truth_fit(mesh, report.topology, truth, command.samples);
+  if (!command.html.empty())
+    with_file(command.html, [&] {
+      page::write_page(command.html, {std::filesystem::path(command.mesh).filename().string(), mesh, report,
+                                      command.points.empty() ? nullptr : &distances,
+                                      command.truth.empty() ? nullptr : &truth});
+    });
   std::fputs((command.json ? to_json(report) : to_text(report)).c_str(), stdout);
 }
 

@@ -292,7 +292,7 @@ TEST(MeshExtent, CavitiesAreTakenOff) {
 TEST(SelfIntersections, ByTheCornersThatFacesShare) {
   const Point a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0};
   const auto pairs = [](const std::vector<Point>& p, const std::vector<Triangle>& t) {
-    return self_intersections(make_surface(triangles(p, t)));
+    return self_intersections(make_surface(triangles(p, t))).pairs;
   };
   // None: one through the other, beside it, touching it.
   EXPECT_EQ(pairs({a, b, c, {.2, .2, -1}, {.2, .2, 1}, {-1, -1, 0}}, {{0, 1, 2}, {3, 4, 5}}), 1);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report.h"
 
+#include <utility>
+
 #include "extent.h"
 #include "self_intersections.h"
 
@@ -11,7 +13,9 @@ Report report_on(const Surface& mesh) {
   report.vertices = static_cast<std::int64_t>(mesh.positions.size());
   report.faces = static_cast<std::int64_t>(mesh.triangles.size());
   report.topology = topology(mesh);
-  report.self_intersections = self_intersections(mesh);
+  SelfIntersections meetings = self_intersections(mesh);
+  report.self_intersections = meetings.pairs;
+  report.meeting_faces = std::move(meetings.face_meets);
   const Extent size = extent(mesh);
   report.area = size.area;
   if (report.topology.closed && report.topology.oriented) report.volume = size.signed_volume;

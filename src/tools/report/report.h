@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cloud_fit.h"
 #include "sharp_edges.h"
@@ -26,9 +28,10 @@ struct Report {
   std::int64_t vertices = 0, faces = 0;
   Topology topology;
   std::int64_t self_intersections = 0;
-  double area = 0;               ///< in the mesh's unit squared
-  std::optional<double> volume;  ///< in the mesh's unit cubed; only of a closed, oriented mesh
-  bool outward = false;          ///< closed, oriented, and the volume is positive
+  std::vector<char> meeting_faces;  ///< for each face whether it is in such a pair; not printed
+  double area = 0;                  ///< in the mesh's unit squared
+  std::optional<double> volume;     ///< in the mesh's unit cubed; only of a closed, oriented mesh
+  bool outward = false;             ///< closed, oriented, and the volume is positive
   std::optional<CloudFit> cloud;
   std::optional<TruthFit> truth;
 };
@@ -38,7 +41,10 @@ Report report_on(const Surface& mesh);
 
 TruthFit truth_fit(const Surface& mesh, const Topology& topology, const Surface& truth, std::size_t samples);
 
-/// A table for people.
+/// The lines of the table for people: a name and a value.
+std::vector<std::pair<std::string, std::string>> table_rows(const Report& report);
+
+/// That table in two columns.
 std::string to_text(const Report& report);
 
 /// One flat JSON object; a measurement without a value is null. Members of the cloud and of the truth only

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -9,23 +10,16 @@
 namespace filmsticking::mesh_report {
 namespace {
 
-/// Names in one column, values in the next.
+using Rows = std::vector<std::pair<std::string, std::string>>;
+
+/// Names and values.
 class Table {
  public:
-  void add(const char* name, const std::string& value) {
-    width_ = std::max(width_, std::string(name).size());
-    rows_.emplace_back(name, value);
-  }
-  std::string text() const {
-    std::string text;
-    for (const auto& [name, value] : rows_)
-      text.append(name).append(width_ + 2 - name.size(), ' ').append(value).append("\n");
-    return text;
-  }
+  void add(const std::string& name, const std::string& value) { rows_.emplace_back(name, value); }
+  Rows rows() && { return std::move(rows_); }
 
  private:
-  std::size_t width_ = 0;
-  std::vector<std::pair<std::string, std::string>> rows_;
+  Rows rows_;
 };
 
 std::string yes(bool value) { return value ? "yes" : "no"; }
@@ -117,7 +111,7 @@ Json truth_members(const TruthFit& truth) {
 
 }  // namespace
 
-std::string to_text(const Report& report) {
+Rows table_rows(const Report& report) {
   const Topology& topology = report.topology;
   Table table;
   table.add("vertices", std::to_string(report.vertices));
@@ -133,7 +127,17 @@ std::string to_text(const Report& report) {
   table.add("volume", number_or_dash("%.6g", report.volume));
   if (report.cloud) add_cloud(table, *report.cloud);
   if (report.truth) add_truth(table, *report.truth);
-  return table.text();
+  return std::move(table).rows();
+}
+
+std::string to_text(const Report& report) {
+  const Rows rows = table_rows(report);
+  std::size_t width = 0;
+  for (const auto& row : rows) width = std::max(width, row.first.size());
+  std::string text;
+  for (const auto& [name, value] : rows)
+    text.append(name).append(width + 2 - name.size(), ' ').append(value).append("\n");
+  return text;
 }
 
 std::string to_json(const Report& report) {
