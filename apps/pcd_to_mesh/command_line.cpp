@@ -39,6 +39,9 @@ void add_options(Arguments& arguments, CommandLine& command) {
                   command.jobs, 0);
   arguments.option("--report", "FILE.json", "write what was done as JSON; of several inputs, a list",
                    command.report);
+  arguments.option("--html", "FILE.html",
+                   "write a page to look at the mesh and its points, without a network; of one input",
+                   command.html);
   arguments.option("--dump-steps", "DIR", "write the film after each step as PLY", command.dump_steps);
   arguments.flag("--stability",
                  "colour the mesh from white to red where the points alone do not tell inside from outside",
@@ -85,6 +88,7 @@ void choose_files(const Arguments& given, CommandLine& command) {
     command.tasks = tasks_of(files, command.folder, command.to);
     if (!command.dump_steps.empty() && files.size() > 1)
       throw UsageError("--dump-steps takes one input only");
+    if (!command.html.empty() && files.size() > 1) throw UsageError("--html takes one input only");
     return;
   }
   if (files.size() > 1)

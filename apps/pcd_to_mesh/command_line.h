@@ -27,6 +27,7 @@ struct CommandLine {
       from;  ///< the format of the inputs; empty: by the name of a file, by the content of standard input
   std::string to = "ply";  ///< the format of standard output and of a batch
   std::string report;      ///< JSON file; empty: none
+  std::string html;        ///< file of the page; empty: none
   std::string dump_steps;  ///< folder for the film after each step; empty: none
   int jobs = 1;            ///< tasks at a time
   filters::FilterOptions filters;

@@ -37,6 +37,7 @@ void prepare_outputs(const CommandLine& command) {
       if (!fs::is_directory(command.folder)) throw io::IoError("it is not a folder");
     });
   if (!command.report.empty()) with_file(command.report, [&] { io::check_writable(command.report); });
+  if (!command.html.empty()) with_file(command.html, [&] { io::check_writable(command.html); });
   if (!command.dump_steps.empty())
     with_file(command.dump_steps, [&] { fs::create_directories(command.dump_steps); });
 }

@@ -17,6 +17,7 @@
 #include "io/files.h"
 #include "io/formats.h"
 #include "io/with_file.h"
+#include "mesh_page.h"
 #include "step_dump.h"
 
 namespace fs = std::filesystem;
@@ -129,6 +130,8 @@ pcl::PCLPointCloud2 reconstruct(io::Cloud cloud, const CommandLine& command, con
 void run(const Task& task, const CommandLine& command, const Progress& progress, TaskResult& outcome) {
   io::Cloud cloud = read_and_filter(task, command, outcome);
   StepDump dump(command.dump_steps);
+  std::vector<Point> points;
+  if (!command.html.empty()) points = io::positions_of(cloud.points);
   pcl::PCLPointCloud2 vertices = reconstruct(std::move(cloud), command, progress, dump, outcome.result);
   outcome.reached = true;
   if (!dump.error().empty()) throw io::IoError(dump.error());
@@ -139,6 +142,11 @@ void run(const Task& task, const CommandLine& command, const Progress& progress,
     vertices =
         with_file(outcome.facts.input, [&] { return coloured_by_stability(vertices, outcome.result); });
   with_file(outcome.facts.output, [&] { write_output(task, command, vertices, outcome.result.triangles); });
+  if (!command.html.empty())
+    with_file(command.html, [&] {
+      write_mesh_page(command.html, fs::path(outcome.facts.output).filename().string(), points, vertices,
+                      outcome.result.triangles);
+    });
 }
 
 }  // namespace

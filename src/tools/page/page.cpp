@@ -145,6 +145,7 @@ class Data {
     const std::vector<Side> sides = mesh_report::sides_by_edge(mesh);
     const std::vector<Hole> holes = mesh_report::holes(mesh, sides);
     Json facts = {{"side", frame_.side},
+                  {"radius", frame_.side > 0 ? frame_.diagonal / 2 / frame_.side : 0.5},
                   {"middle", list(frame_.centre)},
                   {"front", list(front(mesh, contents_.report.topology.closed))},
                   {"hole_count", holes.size()},

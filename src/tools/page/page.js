@@ -3,11 +3,12 @@
 // What is shown may be named behind a # in the address: colours=truth_distances&hole=1&view=30,20&hide=backs,points
 'use strict';
 (function () {
-  // As in scene/drawing.cpp.
-  const FRONT = [0.88, 0.86, 0.82], BACK = [0.86, 0.08, 0.08];
+    const FRONT = [0.88, 0.86, 0.82], BACK = [0.76, 0.5, 0.48];
   const HOLE = [0.9, 0, 0], SURPLUS = [0.6, 0, 0.8], MEETING = [1, 0.6, 0], POINT = [0.05, 0.25, 0.55];
+  // YlGnBu of ColorBrewer, as in scene/drawing.cpp.
   const SCALE = [[1, 1, 0.8], [0.631, 0.855, 0.706], [0.255, 0.714, 0.769], [0.173, 0.498, 0.722], [0.145, 0.204, 0.58]];
   const FLIGHT = 600;  // milliseconds
+  const NEARER = 4e-4;  // what lies on faces is drawn before them by so much of the depth of the view
 
   const $ = (id) => document.getElementById(id);
   const facts = JSON.parse($('facts').textContent);
@@ -32,7 +33,7 @@
     return element;
   }
 
-  const short = (x) => (x === 0 ? '0' : Number(x).toPrecision(4).replace(/\.?0+(e|$)/, '$1'));
+  const short = (x) => String(Number(Number(x).toPrecision(4)));
 
   // ---- The scene ----
 
@@ -41,7 +42,7 @@
     front: { value: new THREE.Vector3(...FRONT) }, back: { value: new THREE.Vector3(...BACK) },
     meeting: { value: new THREE.Vector3(...MEETING) }, point: { value: new THREE.Vector3(...POINT) },
     scale: { value: SCALE.map((c) => new THREE.Vector3(...c)) },
-    source: { value: 0 }, backs: { value: true }, meetings: { value: true }, edges: { value: false },
+    source: { value: 0 }, nearer: { value: 0 }, backs: { value: true }, meetings: { value: true }, edges: { value: false },
     size: { value: 3 },
   };
   const RAMP = `
@@ -71,7 +72,6 @@
     geometry.setAttribute('mark', new THREE.BufferAttribute(marks, 4, true));
     const material = new THREE.ShaderMaterial({
       uniforms: uniforms, side: THREE.DoubleSide, extensions: { derivatives: true },
-      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
       vertexShader: `
         attribute vec4 mark;
         varying vec4 vMark; varying vec3 vPlace; varying vec3 vCorner;
@@ -88,7 +88,7 @@
         varying vec4 vMark; varying vec3 vPlace; varying vec3 vCorner;
         void main() {
           vec3 normal = normalize(cross(dFdx(vPlace), dFdy(vPlace)));
-          vec3 colour = source == 0 ? front : ramp(source == 1 ? vMark.x : vMark.y);
+          vec3 colour = source == 0 || source == 3 ? front : ramp(source == 1 ? vMark.x : vMark.y);
           if (backs && !gl_FrontFacing) colour = back;
           if (meetings && vMark.z > 0.5) colour = meeting;
           if (edges) {
@@ -116,11 +116,12 @@
       uniforms: uniforms,
       vertexShader: `
         attribute float distance;
-        uniform float size;
+        uniform float size, nearer;
         varying float vDistance;
         void main() {
           vDistance = distance;
           gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+          gl_Position.z -= nearer;
           gl_PointSize = size;
         }`,
       fragmentShader: RAMP + `
@@ -144,6 +145,11 @@
     geometry.setPositions(ends);
     const material = new THREE.LineMaterial({ color: new THREE.Color(...colour).getHex(), linewidth: width });
     material.depthTest = !through;
+    material.onBeforeCompile = (shader) => {
+      shader.uniforms.nearer = uniforms.nearer;
+      shader.vertexShader = 'uniform float nearer;\n' +
+          shader.vertexShader.replace('gl_Position = clip;', 'gl_Position = clip; gl_Position.z -= nearer;');
+    };
     const lines = new THREE.LineSegments2(geometry, material);
     lines.frustumCulled = false;
     return lines;
@@ -159,8 +165,7 @@
     renderer.setPixelRatio(window.devicePixelRatio || 1);
     renderer.setSize(width, height, false);
     uniforms.size.value = 3 * renderer.getPixelRatio();
-    // The mesh fits into a ball of radius sqrt(3) / 2 around the origin.
-    const half = 0.95, tall = height >= width ? height / width : 1, wide = width > height ? width / height : 1;
+    const half = 1.05 * (facts.radius || 0.5), tall = height >= width ? height / width : 1, wide = width > height ? width / height : 1;
     camera.left = -half * wide; camera.right = half * wide;
     camera.top = half * tall; camera.bottom = -half * tall;
     camera.updateProjectionMatrix();
@@ -210,6 +215,7 @@
       controls.update();
     }
     if (!drawn) {
+      uniforms.nearer.value = NEARER / camera.zoom;
       renderer.render(scene, camera);
       drawn = true;
       document.body.dataset.drawn = faces.length / 3;
