@@ -88,6 +88,8 @@
         varying vec4 vMark; varying vec3 vPlace; varying vec3 vCorner;
         void main() {
           vec3 normal = normalize(cross(dFdx(vPlace), dFdy(vPlace)));
+          // Points on either side of the surface are to be seen.
+          if (source == 3 && mod(floor(gl_FragCoord.x) + floor(gl_FragCoord.y), 2.0) < 0.5) discard;
           vec3 colour = source == 0 || source == 3 ? front : ramp(source == 1 ? vMark.x : vMark.y);
           if (backs && !gl_FrontFacing) colour = back;
           if (meetings && vMark.z > 0.5) colour = meeting;
@@ -194,23 +196,24 @@
 
   let flight = null;
   function fly(target, out, zoom, at_once) {
-    if (at_once) return place(target, out, zoom, upFor(out));
+    if (at_once || matchMedia('(prefers-reduced-motion: reduce)').matches)
+      return place(target, out, zoom, upFor(out));
+    const view = new THREE.Matrix4().lookAt(out, new THREE.Vector3(), upFor(out));
     flight = {
-      begin: performance.now(), target: target, out: out, zoom: zoom, up: upFor(out),
-      from: { target: controls.target.clone(), zoom: camera.zoom, up: camera.up.clone(),
-              out: camera.position.clone().sub(controls.target).normalize() },
+      from: { target: controls.target.clone(), zoom: camera.zoom, turn: camera.quaternion.clone() },
+      to: { target: target, zoom: zoom, turn: new THREE.Quaternion().setFromRotationMatrix(view) },
     };
   }
 
   function step(now) {
     requestAnimationFrame(step);
     if (flight) {
-      const share = Math.min((now - flight.begin) / FLIGHT, 1), t = share * share * (3 - 2 * share), from = flight.from;
-      const out = from.out.clone().lerp(flight.out, t);
-      if (out.length() < 1e-3) out.set(flight.out.y, flight.out.z, flight.out.x);
-      place(from.target.clone().lerp(flight.target, t), out.normalize(),
-            Math.exp((1 - t) * Math.log(from.zoom) + t * Math.log(flight.zoom)), from.up.clone().lerp(flight.up, t));
-      if (share === 1) { place(flight.target, flight.out, flight.zoom, flight.up); flight = null; }
+      flight.begin = flight.begin || now;
+      const share = Math.min((now - flight.begin) / FLIGHT, 1), t = share * share * (3 - 2 * share);
+      const from = flight.from, to = flight.to, turn = from.turn.clone().slerp(to.turn, t);
+      place(from.target.clone().lerp(to.target, t), new THREE.Vector3(0, 0, 1).applyQuaternion(turn),
+            Math.pow(from.zoom, 1 - t) * Math.pow(to.zoom, t), new THREE.Vector3(0, 1, 0).applyQuaternion(turn));
+      if (share === 1) flight = null;
     } else {
       controls.update();
     }
