@@ -8,7 +8,9 @@
   // YlGnBu of ColorBrewer, as in scene/drawing.cpp.
   const SCALE = [[1, 1, 0.8], [0.631, 0.855, 0.706], [0.255, 0.714, 0.769], [0.173, 0.498, 0.722], [0.145, 0.204, 0.58]];
   const FLIGHT = 600;  // milliseconds
-  const NEARER = 4e-4;  // what lies on faces is drawn before them by so much of the depth of the view
+  const NEARER = 0.004;  // what lies on faces is drawn so much before them, in sizes of the mesh
+  const AWAY = 10;       // from the camera to what it turns around
+  const radius = () => facts.radius || 0.5;
 
   const $ = (id) => document.getElementById(id);
   const facts = JSON.parse($('facts').textContent);
@@ -90,9 +92,10 @@
           vec3 normal = normalize(cross(dFdx(vPlace), dFdy(vPlace)));
           // Points on either side of the surface are to be seen.
           if (source == 3 && mod(floor(gl_FragCoord.x) + floor(gl_FragCoord.y), 2.0) < 0.5) discard;
-          vec3 colour = source == 0 || source == 3 ? front : ramp(source == 1 ? vMark.x : vMark.y);
-          if (backs && !gl_FrontFacing) colour = back;
-          if (meetings && vMark.z > 0.5) colour = meeting;
+          bool plain = source == 0 || source == 3;
+          vec3 colour = plain ? front : ramp(source == 1 ? vMark.x : vMark.y);
+          if (plain && backs && !gl_FrontFacing) colour = back;
+          if (plain && meetings && vMark.z > 0.5) colour = meeting;
           if (edges) {
             vec3 width = vCorner / fwidth(vCorner);
             colour *= mix(0.35, 1.0, clamp(min(min(width.x, width.y), width.z), 0.0, 1.0));
@@ -167,7 +170,7 @@
     renderer.setPixelRatio(window.devicePixelRatio || 1);
     renderer.setSize(width, height, false);
     uniforms.size.value = 3 * renderer.getPixelRatio();
-    const half = 1.05 * (facts.radius || 0.5), tall = height >= width ? height / width : 1, wide = width > height ? width / height : 1;
+    const half = 1.05 * radius(), tall = height >= width ? height / width : 1, wide = width > height ? width / height : 1;
     camera.left = -half * wide; camera.right = half * wide;
     camera.top = half * tall; camera.bottom = -half * tall;
     camera.updateProjectionMatrix();
@@ -180,7 +183,7 @@
   /** Looks along -out at a place; `zoom` 1 shows the whole. */
   function place(target, out, zoom, up) {
     controls.target.copy(target);
-    camera.position.copy(target).addScaledVector(out, 10);
+    camera.position.copy(target).addScaledVector(out, AWAY);
     if (up) camera.up.copy(up);
     camera.zoom = zoom;
     camera.updateProjectionMatrix();
@@ -218,7 +221,10 @@
       controls.update();
     }
     if (!drawn) {
-      uniforms.nearer.value = NEARER / camera.zoom;
+      // Who comes near sees less of what is before: a hole inside is not hidden.
+      camera.near = Math.max(0.1, AWAY - 2.2 * radius() / camera.zoom);
+      camera.updateProjectionMatrix();
+      uniforms.nearer.value = 2 * NEARER / camera.zoom / (camera.far - camera.near);
       renderer.render(scene, camera);
       drawn = true;
       document.body.dataset.drawn = faces.length / 3;
@@ -390,7 +396,7 @@
   }
   renderer.setClearColor(0xffffff);
   $('view').appendChild(renderer.domElement);
-  camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.1, 20);
+  camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.1, 2 * AWAY);
   controls = new THREE.TrackballControls(camera, renderer.domElement);
   controls.staticMoving = true;
   controls.rotateSpeed = 3;
