@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "common/filter_arguments.h"
+#include "common/ground_argument.h"
 #include "common/reconstruction_arguments.h"
 #include "io/formats.h"
 
@@ -47,6 +48,11 @@ void add_options(Arguments& arguments, CommandLine& command) {
                  "colour the mesh from white to red where the points alone do not tell inside from outside",
                  command.options.stability);
   add_filters(arguments, command.filters);
+  add_ground(
+      arguments,
+      "close what stands on the ground with it: after the other filters, leave the ground's points out and "
+      "add points on its plane; the plane with the most points, or Ax + By + Cz + D = 0, (A, B, C) up",
+      command.ground);
   add_reconstruction(arguments, command.options);
 }
 
@@ -114,6 +120,8 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   Arguments arguments;
   add_options(arguments, command);
   if (!arguments.parse(argc, argv)) return command;
+  if (command.ground.asked && command.options.open_boundary)
+    throw UsageError("--ground closes the surface and --open leaves it open");
   choose_files(arguments, command);
   choose_jobs(command);
   return command;

@@ -6,6 +6,7 @@
 
 #include "filmsticking/options.h"
 #include "filters/filter_options.h"
+#include "filters/ground_plane.h"
 
 namespace filmsticking::app {
 
@@ -31,6 +32,7 @@ struct CommandLine {
   std::string dump_steps;  ///< folder for the film after each step; empty: none
   int jobs = 1;            ///< tasks at a time
   filters::FilterOptions filters;
+  filters::GroundChoice ground;
   Options options;
   bool help = false;
   bool version = false;

@@ -14,6 +14,7 @@
 #include "common/stop_signal.h"
 #include "common/summary.h"
 #include "filters/filter_chain.h"
+#include "filters/on_ground.h"
 #include "io/files.h"
 #include "io/formats.h"
 #include "io/with_file.h"
@@ -77,10 +78,17 @@ io::Cloud read_and_filter(const Task& task, const CommandLine& command, TaskResu
   }
   facts.read = static_cast<std::int64_t>(io::size_of(cloud.points));
   with_file(facts.output, [&] { check_output(task, command); });
-  if (!command.filters.any()) return cloud;
+  if (!command.filters.any() && !command.ground.asked) return cloud;
   try {
-    cloud.points = filters::filter(cloud.points, command.filters);
+    if (command.filters.any()) cloud.points = filters::filter(cloud.points, command.filters);
     cloud.viewpoints = io::viewpoints_of(cloud.points);
+    if (command.ground.asked) {
+      filters::OnGround standing = filters::on_ground(cloud.points, command.ground);
+      facts.ground = standing.plane;
+      facts.on_ground = standing.on_plane;
+      facts.added = standing.added;
+      cloud = {std::move(standing.points)};  // nobody saw the points that were added
+    }
   } catch (const filters::FilterError& error) {
     throw io::IoError(facts.input + ": " + error.what());
   }

@@ -28,7 +28,7 @@ std::string report_json(const Result& result, const RunFacts& facts) {
   const Report& report = result.report;
   const double share =
       report.sites > 0 ? static_cast<double>(report.interpolated) / static_cast<double>(report.sites) : 0;
-  const Json json = {{"input", facts.input},
+  Json json = {{"input", facts.input},
                      {"output", facts.output},
                      {"status", status_name(result.status)},
                      {"message", result.message},
@@ -58,6 +58,12 @@ std::string report_json(const Result& result, const RunFacts& facts) {
                      {"reconstruction_seconds", report.seconds},
                      {"seconds", facts.seconds},
                      {"peak_memory_bytes", facts.peak_memory_bytes}};
+  if (facts.ground) {
+    const auto& up = facts.ground->up;
+    json["ground"] = {up.x(), up.y(), up.z(), facts.ground->offset};
+    json["on_ground"] = facts.on_ground;
+    json["added"] = facts.added;
+  }
   // A file's name may hold bytes that are not UTF-8; JSON has no place for them.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

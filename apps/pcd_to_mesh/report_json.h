@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "filmsticking/reconstruct.h"
+#include "filters/ground_plane.h"
 
 namespace filmsticking::app {
 
@@ -12,12 +14,16 @@ namespace filmsticking::app {
 struct RunFacts {
   std::string input;
   std::string output;
-  std::int64_t read = 0;  ///< points in the input
-  double seconds = 0;     ///< wall time with reading and writing
+  std::int64_t read = 0;                       ///< points in the input
+  std::optional<filters::GroundPlane> ground;  ///< of --ground
+  std::int64_t on_ground = 0;                  ///< points left out with it
+  std::int64_t added = 0;                      ///< points added on it and below outlines: the last ones
+  double seconds = 0;                          ///< wall time with reading and writing
   std::int64_t peak_memory_bytes = 0;
 };
 
-/// The report of --report. Its fields:
+/// The report of --report. With --ground, it has ground: the plane as A, B, C, D, on_ground and added. Its
+/// other fields:
 ///   input, output, status, message, warning: strings; message is empty when status is "Ok", warning unless
 ///   the result is doubtful (Report::warning) read: points in the input; points: those that the filters left;
 ///   sites, non_finite, duplicates: as in Report interpolated, interpolated_share (of the sites, 0 to 1),
