@@ -11,7 +11,7 @@ void write_mesh_page(const std::string& path, const std::string& title, const st
   const mesh_report::Surface mesh = mesh_report::make_surface(io::make_mesh(vertices, triangles));
   mesh_report::Report report = mesh_report::report_on(mesh);
   const mesh_report::CloudDistances distances = cloud_distances(mesh, points);
-  report.cloud = cloud_fit(mesh, distances);
+  report.cloud = cloud_fit_of(mesh, distances);
   page::write_page(path, {title, mesh, report, &distances});
 }
 

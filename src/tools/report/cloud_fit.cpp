@@ -38,7 +38,7 @@ CloudDistances cloud_distances(const Surface& mesh, const std::vector<Point>& cl
   return result;
 }
 
-CloudFit cloud_fit(const Surface& mesh, const CloudDistances& distances) {
+CloudFit cloud_fit_of(const Surface& mesh, const CloudDistances& distances) {
   const std::vector<Vec3>& points = distances.points;
   CloudFit fit;
   fit.points = static_cast<std::int64_t>(points.size());

@@ -26,9 +26,9 @@ struct CloudDistances {
 
 CloudDistances cloud_distances(const Surface& mesh, const std::vector<Point>& cloud);
 
-CloudFit cloud_fit(const Surface& mesh, const CloudDistances& distances);
+CloudFit cloud_fit_of(const Surface& mesh, const CloudDistances& distances);
 inline CloudFit cloud_fit(const Surface& mesh, const std::vector<Point>& cloud) {
-  return cloud_fit(mesh, cloud_distances(mesh, cloud));
+  return cloud_fit_of(mesh, cloud_distances(mesh, cloud));
 }
 
 }  // namespace filmsticking::mesh_report

@@ -18,9 +18,16 @@ Report report_on(const Surface& mesh) {
   report.meeting_faces = std::move(meetings.face_meets);
   const Extent size = extent(mesh);
   report.area = size.area;
+  report.parts = components(mesh);
   if (report.topology.closed && report.topology.oriented) report.volume = size.signed_volume;
   report.outward = report.volume && *report.volume > 0;
   return report;
+}
+
+GroundFit ground_fit(const Surface& mesh, const Topology& topology, const Vec3& up, double offset) {
+  GroundFit fit{up, offset, {}};
+  if (!mesh.triangles.empty() && topology.oriented) fit.volumes = plane_volumes(mesh, up, offset);
+  return fit;
 }
 
 TruthFit truth_fit(const Surface& mesh, const Topology& mesh_topology, const Surface& truth,

@@ -55,11 +55,35 @@ std::string intersections(std::int64_t pairs) {
   return count(pairs, "pair of faces", "pairs of faces");
 }
 
-void add_cloud(Table& table, const CloudFit& cloud) {
+/// "12.5 mm²": the unit to the power of `exponent`, as "²".
+std::string measured(const std::optional<double>& value, const std::string& unit, const char* exponent) {
+  return number_or_dash("%.6g", value) + (unit.empty() || !value ? "" : " " + unit + exponent);
+}
+
+void add_extent(Table& table, const Report& report) {
+  constexpr std::size_t kMostParts = 10;
+  table.add("area", measured(report.area, report.unit, "²"));
+  table.add("volume", measured(report.volume, report.unit, "³"));
+  if (report.parts.size() > 1)
+    for (std::size_t i = 0; i < std::min(report.parts.size(), kMostParts); ++i)
+      table.add("component " + std::to_string(i + 1),
+                "area " + measured(report.parts[i].area, report.unit, "²") + ", volume " +
+                    measured(report.parts[i].volume, report.unit, "³"));
+  if (report.parts.size() > kMostParts)
+    table.add("components not listed", std::to_string(report.parts.size() - kMostParts));
+  if (!report.ground) return;
+  const auto& volumes = report.ground->volumes;
+  table.add("volume above the ground",
+            measured(volumes ? std::optional(volumes->above) : std::nullopt, report.unit, "³"));
+  table.add("volume below the ground",
+            measured(volumes ? std::optional(volumes->below) : std::nullopt, report.unit, "³"));
+}
+
+void add_cloud(Table& table, const CloudFit& cloud, const std::string& unit) {
   table.add("points", std::to_string(cloud.points));
   table.add("points that are vertices", number("%.2f %%", cloud.interpolated));
-  table.add("from points to mesh, mean", number_or_dash("%.6g", cloud.distance_mean));
-  table.add("from points to mesh, largest", number_or_dash("%.6g", cloud.distance_max));
+  table.add("from points to mesh, mean", measured(cloud.distance_mean, unit, ""));
+  table.add("from points to mesh, largest", measured(cloud.distance_max, unit, ""));
 }
 
 void add_truth(Table& table, const TruthFit& truth) {
@@ -84,6 +108,26 @@ using Json = nlohmann::ordered_json;
 template <typename Value>
 Json or_null(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
+}
+
+Json component_list(const Report& report) {
+  constexpr std::size_t kMostParts = 1000;
+  Json list = Json::array();
+  for (std::size_t i = 0; i < std::min(report.parts.size(), kMostParts); ++i) {
+    const Component& part = report.parts[i];
+    list.push_back({{"faces", part.faces},
+                    {"closed", part.closed},
+                    {"area", part.area},
+                    {"volume", or_null(part.volume)}});
+  }
+  return list;
+}
+
+Json ground_members(const GroundFit& ground) {
+  const auto& volumes = ground.volumes;
+  return {{"ground", {ground.up.x(), ground.up.y(), ground.up.z(), ground.offset}},
+          {"volume_above", volumes ? Json(volumes->above) : Json()},
+          {"volume_below", volumes ? Json(volumes->below) : Json()}};
 }
 
 Json cloud_members(const CloudFit& cloud) {
@@ -123,9 +167,8 @@ Rows table_rows(const Report& report) {
   table.add("components", std::to_string(topology.components));
   table.add("genus", topology.genus ? std::to_string(*topology.genus) : "-");
   table.add("self-intersections", intersections(report.self_intersections));
-  table.add("area", number("%.6g", report.area));
-  table.add("volume", number_or_dash("%.6g", report.volume));
-  if (report.cloud) add_cloud(table, *report.cloud);
+  add_extent(table, report);
+  if (report.cloud) add_cloud(table, *report.cloud, report.unit);
   if (report.truth) add_truth(table, *report.truth);
   return std::move(table).rows();
 }
@@ -155,7 +198,10 @@ std::string to_json(const Report& report) {
                {"oriented", topology.oriented},
                {"outward", report.outward},
                {"area", report.area},
-               {"volume", or_null(report.volume)}};
+               {"volume", or_null(report.volume)},
+               {"component_list", component_list(report)}};
+  if (!report.unit.empty()) json["unit"] = report.unit;
+  if (report.ground) json.update(ground_members(*report.ground));
   if (report.cloud) json.update(cloud_members(*report.cloud));
   if (report.truth) json.update(truth_members(*report.truth));
   return json.dump(2) + "\n";

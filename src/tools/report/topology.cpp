@@ -2,27 +2,13 @@
 #include "topology.h"
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
+#include "disjoint_sets.h"
 #include "sides.h"
 
 namespace filmsticking::mesh_report {
 namespace {
-
-/// Union-find over n elements.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 /// The corner of the side's face at one of the edge's ends, as 3 * face + corner.
 std::size_t corner_at_low(const Side& side) {
