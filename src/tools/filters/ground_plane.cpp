@@ -160,7 +160,7 @@ GroundPlane find_ground(const std::vector<Point>& points) {
 double ground_noise(const std::vector<double>& heights, double reach) {
   std::vector<double> near;
   for (const double height : heights)
-    if (std::abs(height) <= reach) near.push_back(std::abs(height));
+    if (height < 0 && height >= -reach) near.push_back(-height);
   if (near.empty()) return 0;
   const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
   std::nth_element(near.begin(), middle, near.end());

@@ -36,7 +36,8 @@ GroundPlane find_ground(const std::vector<Point>& points);
 /// The typical distance from a point to the nearest at another place; 0 without any.
 double usual_distance(const std::vector<Point>& points);
 
-/// The deviation of the heights that are within `reach`, by their median; 0 without any.
+/// The deviation of the ground from its plane, by the median of what is below it, where nothing else is, but
+/// no deeper than `reach`; 0 without any.
 double ground_noise(const std::vector<double>& heights, double reach);
 
 /// "0.0000 x + 0.0000 y + 1.0000 z - 0.25 = 0".
