@@ -48,6 +48,8 @@ With --ground
   ground              A, B, C, D of the plane, with (A, B, C) of length 1
   volume_above, volume_below   between the surface and the plane, on either side of it; null unless oriented.
                       Faces that look down count negative. The rim of an open surface goes straight to the plane
+  volume_net          of an open surface above less below, where noise of the ground cancels; of a closed one
+                      their sum
 
 With --points
   points              distinct finite positions in the cloud

@@ -161,7 +161,7 @@ TEST_F(Ground, VolumeIsThatBetweenTheOpenSurfaceAndThePlane) {
   ASSERT_EQ(run_program({PCD_TO_MESH, folder / "cloud.ply", folder / "open.ply", "--open"}).status, 0);
   const Outcome outcome = run_program({MESH_REPORT, folder / "open.ply", "--json", "--ground"});
   const Json json = Json::parse(outcome.out);
-  EXPECT_NEAR(json.at("volume_above").get<double>() / kRoundVolume, 1, 0.01);
+  EXPECT_NEAR(json.at("volume_net").get<double>() / kRoundVolume, 1, 0.01);
 }
 
 TEST(OnGround, KeepsPointsWholeAndAddsTheLast) {

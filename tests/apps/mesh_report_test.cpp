@@ -563,6 +563,7 @@ TEST(PlaneVolumes, AreOnBothSidesOfThePlane) {
     const PlaneVolumes half = plane_volumes(surface, up, 0);  // through the middle
     EXPECT_NEAR(half.above / volume, 0.5, 1e-3);
     EXPECT_NEAR((half.above + half.below) / volume, 1, 1e-9);
+    EXPECT_NEAR(half.net / volume, 1, 1e-9);
     const PlaneVolumes all = plane_volumes(surface, up, 9 * scale);
     EXPECT_NEAR(all.above / volume, 1, 1e-9);
     EXPECT_EQ(all.below, 0);
@@ -575,6 +576,7 @@ TEST(PlaneVolumes, OfAnOpenSurfaceAreFillAndCut) {
   const PlaneVolumes volumes = plane_volumes(roof, Vec3::UnitZ(), 0);
   EXPECT_NEAR(volumes.above, 1, 1e-12);
   EXPECT_NEAR(volumes.below, 1, 1e-12);
+  EXPECT_NEAR(volumes.net, 0, 1e-12);
   const PlaneVolumes high = plane_volumes(roof, Vec3::UnitZ(), 5);
   EXPECT_NEAR(high.above, 20, 1e-12);
 }

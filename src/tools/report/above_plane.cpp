@@ -33,10 +33,13 @@ PlaneVolumes plane_volumes(const Surface& surface, const Vec3& up, double offset
     const double above = mean_above(heights), mean = (heights[0] + heights[1] + heights[2]) / 3;
     volumes.above += area * above;
     volumes.below += area * (above - mean);
+    volumes.net += area * mean;
   }
   const double rounding = 1e-12 * (std::abs(volumes.above) + std::abs(volumes.below));
-  for (double* volume : {&volumes.above, &volumes.below})
-    *volume = std::abs(*volume) <= rounding ? 0 : std::abs(*volume) * side * side * side;
+  for (double* volume : {&volumes.above, &volumes.below, &volumes.net})
+    *volume = std::abs(*volume) <= rounding ? 0 : *volume * side * side * side;
+  volumes.above = std::abs(volumes.above);
+  volumes.below = std::abs(volumes.below);
   return volumes;
 }
 

@@ -72,11 +72,13 @@ void add_extent(Table& table, const Report& report) {
   if (report.parts.size() > kMostParts)
     table.add("components not listed", std::to_string(report.parts.size() - kMostParts));
   if (!report.ground) return;
-  const auto& volumes = report.ground->volumes;
-  table.add("volume above the ground",
-            measured(volumes ? std::optional(volumes->above) : std::nullopt, report.unit, "³"));
-  table.add("volume below the ground",
-            measured(volumes ? std::optional(volumes->below) : std::nullopt, report.unit, "³"));
+  const auto volume = [&](double PlaneVolumes::*value) {
+    const auto& volumes = report.ground->volumes;
+    return measured(volumes ? std::optional((*volumes).*value) : std::nullopt, report.unit, "³");
+  };
+  table.add("volume above the ground", volume(&PlaneVolumes::above));
+  table.add("volume below the ground", volume(&PlaneVolumes::below));
+  table.add("volume over the ground, net", volume(&PlaneVolumes::net));
 }
 
 void add_cloud(Table& table, const CloudFit& cloud, const std::string& unit) {
@@ -127,7 +129,8 @@ Json ground_members(const GroundFit& ground) {
   const auto& volumes = ground.volumes;
   return {{"ground", {ground.up.x(), ground.up.y(), ground.up.z(), ground.offset}},
           {"volume_above", volumes ? Json(volumes->above) : Json()},
-          {"volume_below", volumes ? Json(volumes->below) : Json()}};
+          {"volume_below", volumes ? Json(volumes->below) : Json()},
+          {"volume_net", volumes ? Json(volumes->net) : Json()}};
 }
 
 Json cloud_members(const CloudFit& cloud) {
