@@ -68,7 +68,7 @@ def faults_of(heading, recipe, data, bin_folder):
     for line in shown:
         if squeezed(line) not in squeezed(printed):
             faults.append(f"{heading}: '{line}' is not printed")
-    found = [float(number) for number in re.findall(r"^volume(?: over the ground, net)? +([\d.]+)", printed, re.M)]
+    found = [float(number) for number in re.findall(r"^volume(?: over ground, net)? +([\d.]+)", printed, re.M)]
     wanted = VOLUMES.get(heading, [])
     if wanted and (len(found) != len(wanted) or any(abs(a / b - 1) > 0.01 for a, b in zip(found, wanted))):
         faults.append(f"{heading}: volumes {found}, expected {wanted}")

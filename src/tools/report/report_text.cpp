@@ -78,7 +78,7 @@ void add_extent(Table& table, const Report& report) {
   };
   table.add("volume above the ground", volume(&PlaneVolumes::above));
   table.add("volume below the ground", volume(&PlaneVolumes::below));
-  table.add("volume over the ground, net", volume(&PlaneVolumes::net));
+  table.add("volume over ground, net", volume(&PlaneVolumes::net));
 }
 
 void add_cloud(Table& table, const CloudFit& cloud, const std::string& unit) {
