@@ -3,6 +3,7 @@
 
 #include "common/arguments.h"
 #include "common/ground_argument.h"
+#include "common/html_argument.h"
 
 namespace filmsticking::app {
 namespace {
@@ -22,9 +23,8 @@ void add_options(Arguments& arguments, CommandLine& command) {
       "measure volumes above and below the ground: the plane with the most points, of the cloud if there is "
       "one, or Ax + By + Cz + D = 0, where (A, B, C) points up",
       command.ground);
-  arguments.option("--html", "FILE.html",
-                   "write a page to look at, without a network: the mesh with its marks, distances, holes",
-                   command.html);
+  add_html(arguments, "write a page to look at, without a network: the mesh with its marks, distances, holes",
+           command.html);
   arguments.flag("--json", "print one JSON object", command.json);
 }
 

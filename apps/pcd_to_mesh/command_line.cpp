@@ -9,6 +9,7 @@
 
 #include "common/filter_arguments.h"
 #include "common/ground_argument.h"
+#include "common/html_argument.h"
 #include "common/reconstruction_arguments.h"
 #include "io/formats.h"
 
@@ -40,9 +41,8 @@ void add_options(Arguments& arguments, CommandLine& command) {
                   command.jobs, 0);
   arguments.option("--report", "FILE.json", "write what was done as JSON; of several inputs, a list",
                    command.report);
-  arguments.option("--html", "FILE.html",
-                   "write a page to look at the mesh and its points, without a network; of one input",
-                   command.html);
+  add_html(arguments, "write a page to look at the mesh and its points, without a network; of one input",
+           command.html);
   arguments.option("--dump-steps", "DIR", "write the film after each step as PLY", command.dump_steps);
   arguments.flag("--stability",
                  "colour the mesh from white to red where the points alone do not tell inside from outside",

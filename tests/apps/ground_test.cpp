@@ -220,6 +220,16 @@ TEST(OnGround, RefusesWhatHasNoGround) {
   far.push_back({1e12, 0, 5});
   far.push_back({NAN, 0, 5});
   refused(far, {true, GroundPlane{}});
+  std::vector<Point> high = box_on_table(0);  // a column of points to it would never end
+  for (int i = 0; i < 40; ++i) high.push_back({1.5 + 0.02 * (i % 8), 1 + 0.02 * (i / 8), 1e9});
+  refused(high, {true, GroundPlane{}});
+}
+
+TEST(OnGround, RepeatedPointsChangeNoSpacing) {
+  const std::vector<Point> once = box_on_table(0);
+  std::vector<Point> often;
+  for (int i = 0; i < 12; ++i) often.insert(often.end(), once.begin(), once.end());
+  EXPECT_NEAR(filters::usual_distance(often) / filters::usual_distance(once), 1, 0.05);
 }
 
 TEST(OnGround, IsTheSameEachTime) {

@@ -265,6 +265,7 @@ TEST(PageFile, FailsInOneSentence) {
   io::write_mesh(folder / "cube.ply", cube(true, false));
   const Outcome outcome =
       run_program({MESH_REPORT, folder / "cube.ply", "--html", folder / "no_folder/page.html"});
+  EXPECT_EQ(run_program({MESH_REPORT, folder / "cube.ply", "--html", folder / "cube.ply"}).status, 2);
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.err.find("page.html"), std::string::npos) << outcome.err;
   const Outcome two = run_program({PCD_TO_MESH, TEST_DATA "/bun0.pcd", TEST_DATA "/bun4.pcd",

@@ -3,7 +3,6 @@
 
 #include <pcl/ModelCoefficients.h>
 #include <pcl/PointIndices.h>
-#include <pcl/console/print.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/search/kdtree.h>
@@ -12,7 +11,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <iterator>
 
 #include "filter_error.h"
 #include "filter_options.h"
@@ -101,7 +102,11 @@ GroundChoice parse_ground(const std::string& text) {
 }
 
 double usual_distance(const std::vector<Point>& points) {
-  const UnitCloud cloud(points, SIZE_MAX);
+  std::vector<Point> distinct;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(distinct), finite);
+  std::sort(distinct.begin(), distinct.end());
+  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  const UnitCloud cloud(distinct, SIZE_MAX);
   if (cloud.points->size() < 2) return 0;
   pcl::search::KdTree<pcl::PointXYZ> tree;
   tree.setInputCloud(cloud.points);

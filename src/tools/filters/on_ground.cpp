@@ -25,7 +25,8 @@ constexpr double kNoise = 3;            // deviations from the plane that its po
 constexpr double kLow = 1.5;            // cells; what is lower reaches the ground itself
 constexpr double kThin = 0.6;           // cells; under what is lower the plane gets no points
 constexpr std::size_t kLeastCells = 4;  // of a thing on the ground; fewer are noise
-constexpr double kMostCells = 50'000'000;
+constexpr double kMostCells = 10'000'000;
+constexpr std::size_t kMostAdded = 5'000'000;
 
 /// A point by its place in the plane and its height.
 struct Standing {
@@ -301,8 +302,12 @@ std::vector<Vector3d> added_points(const Footprint& footprint, const std::vector
     if (outermost[cell] >= 0) {
       const Drop drop = *footprint.drop(cell);
       const Vector2d place = ground.midway(cell, objects[outermost[cell]].place, drop.out, width);
-      for (int k = ends ? 0 : 1; k == 0 || drop.foot + k * width < drop.top - width / 2; ++k)
+      for (int k = ends ? 0 : 1; k == 0 || drop.foot + k * width < drop.top - width / 2; ++k) {
         points.push_back(frame.point(place, drop.foot + k * width));
+        if (points.size() > kMostAdded)
+          throw FilterError(
+              "ground: the points above it are spread too far; --crop or --sor leaves strays out");
+      }
     }
     if (!ends && footprint.floats(cell)) points.push_back(frame.point(footprint.middle(cell), 0));
   }
