@@ -110,6 +110,13 @@ void Arguments::option(const std::string& name, const std::string& value, const 
   option(name, value, help, [&text](const std::string& given) { text = given; });
 }
 
+void Arguments::optional(const std::string& name, const std::string& value, const std::string& help,
+                         const std::string& fallback, const std::function<bool(const std::string&)>& is_value,
+                         const std::function<void(const std::string&)>& read) {
+  option(name, value, help, read);
+  fallbacks_[name] = {fallback, is_value};
+}
+
 void Arguments::repeatable(const std::string& name, const std::string& value, const std::string& help,
                            std::vector<std::string>& texts) {
   add(name, value, help, [&texts](const std::vector<std::string>& given) {
@@ -159,10 +166,27 @@ void Arguments::check_words(int argc, const char* const* argv) const {
   if (waiting) fail_without_value(*waiting);
 }
 
+/// The words, those of options with a fallback as "--name=value".
+std::vector<std::string> Arguments::with_fallbacks(int argc, const char* const* argv) const {
+  std::vector<std::string> words(argv, argv + argc);
+  for (std::size_t i = 1; i < words.size() && words[i] != "--"; ++i) {
+    const auto known = fallbacks_.find(words[i]);
+    if (known == fallbacks_.end()) continue;
+    const bool given = i + 1 < words.size() && known->second.is_value(words[i + 1]);
+    words[i] += "=" + (given ? words[i + 1] : known->second.value);
+    if (given) words.erase(words.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+  }
+  return words;
+}
+
 bool Arguments::parse(int argc, const char* const* argv) {
-  check_words(argc, argv);
+  const std::vector<std::string> words = with_fallbacks(argc, argv);
+  std::vector<const char*> pointers;
+  for (const std::string& word : words) pointers.push_back(word.c_str());
+  const int count = static_cast<int>(pointers.size());
+  check_words(count, pointers.data());
   try {
-    app_->parse(argc, argv);
+    app_->parse(count, pointers.data());
   } catch (const CLI::Success&) {
     return false;
   } catch (const CLI::ExtrasError&) {

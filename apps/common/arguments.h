@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -52,6 +53,12 @@ class Arguments {
               const std::function<void(const std::string&)>& read);
   void option(const std::string& name, const std::string& value, const std::string& help, std::string& text);
 
+  /// An option whose value may be left out: a word behind it is its value if `is_value`, which is asked
+  /// before the word is read, says so; else its value is `fallback`.
+  void optional(const std::string& name, const std::string& value, const std::string& help,
+                const std::string& fallback, const std::function<bool(const std::string&)>& is_value,
+                const std::function<void(const std::string&)>& read);
+
   /// An option that may be repeated, with one value each time.
   void repeatable(const std::string& name, const std::string& value, const std::string& help,
                   std::vector<std::string>& texts);
@@ -90,10 +97,17 @@ class Arguments {
   CLI::Option* add(const std::string& name, const std::string& value, const std::string& help,
                    const std::function<void(const std::vector<std::string>&)>& read);
   void check_words(int argc, const char* const* argv) const;
+  std::vector<std::string> with_fallbacks(int argc, const char* const* argv) const;
+
+  struct Fallback {
+    std::string value;
+    std::function<bool(const std::string&)> is_value;
+  };
 
   std::unique_ptr<CLI::App> app_;
   std::string group_ = "Options";
   std::vector<std::string> files_;
+  std::map<std::string, Fallback> fallbacks_;  // by the option's name
 };
 
 /// A whole number from `least` to `most`. Throws UsageError.

@@ -2,6 +2,8 @@
 #include "command_line.h"
 
 #include "common/arguments.h"
+#include "common/ground_argument.h"
+#include "common/html_argument.h"
 
 namespace filmsticking::app {
 namespace {
@@ -14,6 +16,15 @@ void add_options(Arguments& arguments, CommandLine& command) {
                   "points on each of the two surfaces for the distances between them; default 100000, at "
                   "most 1000000",
                   command.samples, 1, mesh_report::kMostSamples);
+  arguments.choice("--unit", "mm|cm|m", "the unit of the mesh's coordinates, to be printed with figures",
+                   command.unit, std::vector<Choice<std::string>>{{"mm", "mm"}, {"cm", "cm"}, {"m", "m"}});
+  add_ground(
+      arguments,
+      "measure volumes above and below the ground: the plane with the most points, of the cloud if there is "
+      "one, or Ax + By + Cz + D = 0, where (A, B, C) points up",
+      command.ground);
+  add_html(arguments, "write a page to look at, without a network: the mesh with its marks, distances, holes",
+           command.html);
   arguments.flag("--json", "print one JSON object", command.json);
 }
 
@@ -31,6 +42,14 @@ The mesh (names of JSON members in brackets)
   self_intersections  pairs of faces that meet elsewhere than in the corners and edges they share; counted up
                       to 10000000
   area, volume        in the mesh's unit; volume is signed, and null unless closed and oriented
+  component_list      of each component, the largest area first: faces, closed, area, volume
+
+With --ground
+  ground              A, B, C, D of the plane, with (A, B, C) of length 1
+  volume_above, volume_below   between the surface and the plane, on either side of it; null unless oriented.
+                      Faces that look down count negative. The rim of an open surface goes straight to the plane
+  volume_net          of an open surface above less below, where noise of the ground cancels; of a closed one
+                      their sum
 
 With --points
   points              distinct finite positions in the cloud

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "common/usage_error.h"
+#include "filters/ground_plane.h"
 #include "report/truth_fit.h"
 
 namespace filmsticking::app {
@@ -14,6 +15,9 @@ struct CommandLine {
   std::string mesh;
   std::string truth;   ///< empty: none
   std::string points;  ///< empty: none
+  std::string unit;    ///< empty: unknown
+  filters::GroundChoice ground;
+  std::string html;  ///< file of the page; empty: none
   std::size_t samples = mesh_report::kDefaultSamples;
   bool json = false;
   bool help = false;

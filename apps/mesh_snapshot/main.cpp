@@ -11,6 +11,7 @@
 #include "io/formats.h"
 #include "io/io_error.h"
 #include "io/with_file.h"
+#include "report/scale_length.h"
 #include "scene/deviation.h"
 #include "scene/image.h"
 #include "scene/steps.h"
@@ -67,7 +68,7 @@ void measure(const CommandLine& command, const pcl::PCLPointCloud2& cloud, std::
       if (command.deviation)
         keep(film.point_values = scene::Deviation(film.mesh).of_points(io::positions_of(cloud)));
     }
-  scale = command.range > 0 ? command.range : scene::scale_length(std::move(all));
+  scale = command.range > 0 ? command.range : mesh_report::scale_length(std::move(all));
 }
 
 /// "out.png" to "out_007.png".

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "report/scale_length.h"
+
 namespace filmsticking::app {
 
 Contents::Contents(std::vector<scene::Step> films, pcl::PCLPointCloud2 cloud,
@@ -36,7 +38,7 @@ const scene::Values& Contents::values(Paint paint, std::size_t film) {
 
 double Contents::scale(Paint paint) {
   if (range_ > 0 || films_.empty()) return range_ > 0 ? range_ : 1;
-  return scene::scale_length(values(paint, films_.size() - 1));
+  return mesh_report::scale_length(values(paint, films_.size() - 1));
 }
 
 std::string status_line(const Contents& contents, const ViewState& state) {

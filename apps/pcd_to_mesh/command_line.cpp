@@ -9,6 +9,8 @@
 #include <thread>
 
 #include "common/filter_arguments.h"
+#include "common/ground_argument.h"
+#include "common/html_argument.h"
 #include "common/reconstruction_arguments.h"
 #include "filters/filter_options.h"
 #include "io/formats.h"
@@ -69,6 +71,8 @@ void add_options(Arguments& arguments, CommandLine& command) {
                   command.jobs, 0);
   arguments.option("--report", "FILE.json", "write what was done as JSON; of several inputs, a list",
                    command.report);
+  add_html(arguments, "write a page to look at the mesh and its points, without a network; of one input",
+           command.html);
   arguments.option("--dump-steps", "DIR", "write the film after each step as PLY", command.dump_steps);
   arguments.flag("--normals", "give the mesh's vertices unit normals; the mesh must be a .ply",
                  command.normals);
@@ -85,6 +89,11 @@ void add_options(Arguments& arguments, CommandLine& command) {
       "box's diagonal",
       [&command](const std::string& text) { command.max_hole = parse_max_hole(text); });
   add_filters(arguments, command.filters);
+  add_ground(
+      arguments,
+      "close what stands on the ground with it: after the other filters, leave the ground's points out and "
+      "add points on its plane; the plane with the most points, or Ax + By + Cz + D = 0, (A, B, C) up",
+      command.ground);
   add_reconstruction(arguments, command.options);
 }
 
@@ -135,6 +144,7 @@ void choose_files(const Arguments& given, CommandLine& command) {
       throw UsageError("--dump-steps takes one input only");
     if (!command.points_out.empty() && files.size() > 1)
       throw UsageError("--points-out takes one input only");
+    if (!command.html.empty() && files.size() > 1) throw UsageError("--html takes one input only");
     return;
   }
   if (files.size() > 1)
@@ -161,6 +171,8 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   Arguments arguments;
   add_options(arguments, command);
   if (!arguments.parse(argc, argv)) return command;
+  if (command.ground.asked && command.options.open_boundary)
+    throw UsageError("--ground closes the surface and --open leaves it open");
   choose_files(arguments, command);
   choose_jobs(command);
   return command;

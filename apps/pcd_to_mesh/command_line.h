@@ -6,6 +6,7 @@
 
 #include "filmsticking/options.h"
 #include "filters/filter_options.h"
+#include "filters/ground_plane.h"
 
 namespace filmsticking::app {
 
@@ -36,6 +37,7 @@ struct CommandLine {
   std::vector<std::string> columns;  ///< names of the columns of texts; empty: by the text
   std::string report;                ///< JSON file; empty: none
   std::string points_out;            ///< file for the cloud with normals; empty: none
+  std::string html;                  ///< file of the page; empty: none
   MaxHole max_hole;
   bool normals = false;    ///< of the vertices, in the mesh
   std::string dump_steps;  ///< folder for the film after each step; empty: none
@@ -43,6 +45,7 @@ struct CommandLine {
   bool doubles = false;    ///< write double coordinates even where single precision tells the points apart
   int jobs = 1;            ///< tasks at a time
   filters::FilterOptions filters;
+  filters::GroundChoice ground;
   Options options;
   bool help = false;
   bool version = false;

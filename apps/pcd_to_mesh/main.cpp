@@ -37,6 +37,7 @@ void prepare_outputs(const CommandLine& command) {
       if (!fs::is_directory(command.folder)) throw io::IoError("it is not a folder");
     });
   if (!command.report.empty()) with_file(command.report, [&] { io::check_writable(command.report); });
+  if (!command.html.empty()) with_file(command.html, [&] { io::check_writable(command.html); });
   if (!command.dump_steps.empty())
     with_file(command.dump_steps, [&] { fs::create_directories(command.dump_steps); });
 }
@@ -59,6 +60,9 @@ void print_summary(const CommandLine& command, const TaskResult& outcome) {
     std::fprintf(stream, ", %" PRId64 " after %s", report.points, names_of(command.filters).c_str());
   if (report.non_finite > 0) std::fprintf(stream, ", %" PRId64 " not finite", report.non_finite);
   if (report.duplicates > 0) std::fprintf(stream, ", %" PRId64 " repeated", report.duplicates);
+  if (facts.ground)
+    std::fprintf(stream, "\nground  %s: %" PRId64 " points left out, %" PRId64 " added",
+                 filters::to_text(*facts.ground).c_str(), facts.on_ground, facts.added);
   std::fprintf(stream, "\n%stook    %s\n", mesh_summary(outcome.result.report, facts.output).c_str(),
                cost_summary(facts.seconds).c_str());
 }

@@ -19,10 +19,12 @@
 #include "common/summary.h"
 #include "filmsticking/normals.h"
 #include "filters/filter_chain.h"
+#include "filters/on_ground.h"
 #include "io/files.h"
 #include "io/formats.h"
 #include "io/merge.h"
 #include "io/with_file.h"
+#include "mesh_page.h"
 #include "step_dump.h"
 
 namespace fs = std::filesystem;
@@ -120,10 +122,17 @@ io::Cloud read_and_filter(const Task& task, const CommandLine& command, TaskResu
   with_file(facts.output, [&] { check_output(task, command); });
   if (!command.points_out.empty())
     with_file(command.points_out, [&] { check_points_out(task, command.points_out); });
-  if (!command.filters.any()) return cloud;
+  if (!command.filters.any() && !command.ground.asked) return cloud;
   try {
-    cloud.points = filters::filter(cloud.points, command.filters);
+    if (command.filters.any()) cloud.points = filters::filter(cloud.points, command.filters);
     cloud.viewpoints = io::viewpoints_of(cloud.points);
+    if (command.ground.asked) {
+      filters::OnGround standing = filters::on_ground(cloud.points, command.ground);
+      facts.ground = standing.plane;
+      facts.on_ground = standing.on_plane;
+      facts.added = standing.added;
+      cloud = {std::move(standing.points)};  // nobody saw the points that were added
+    }
   } catch (const filters::FilterError& error) {
     throw io::IoError(facts.input + ": " + error.what());
   }
@@ -207,6 +216,8 @@ void run(const Task& task, const CommandLine& command, const Progress& progress,
   io::Cloud cloud = read_and_filter(task, command, outcome);
   StepDump dump(command.dump_steps);
   const std::optional<Point> viewpoint = cloud.viewpoint;
+  std::vector<Point> points;
+  if (!command.html.empty()) points = io::positions_of(cloud.points);
   Reconstructed made = reconstruct(std::move(cloud), command, progress, dump, outcome.result);
   pcl::PCLPointCloud2& vertices = made.vertices;
   outcome.reached = true;
@@ -227,6 +238,11 @@ void run(const Task& task, const CommandLine& command, const Progress& progress,
   if (!command.doubles && io::float_suffices(vertices))
     vertices = io::with_float_positions(std::move(vertices));
   with_file(outcome.facts.output, [&] { write_output(task, command, vertices, outcome.result.triangles); });
+  if (!command.html.empty())
+    with_file(command.html, [&] {
+      write_mesh_page(command.html, fs::path(outcome.facts.output).filename().string(), points, vertices,
+                      outcome.result.triangles);
+    });
 }
 
 }  // namespace

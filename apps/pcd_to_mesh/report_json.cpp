@@ -33,38 +33,44 @@ std::string report_json(const Result& result, const RunFacts& facts) {
   const Report& report = result.report;
   const double share =
       report.sites > 0 ? static_cast<double>(report.interpolated) / static_cast<double>(report.sites) : 0;
-  const Json json = {{"input", facts.input},
-                     {"output", facts.output},
-                     {"status", status_name(result.status)},
-                     {"message", result.message},
-                     {"warning", report.warning},
-                     {"notes", facts.notes},
-                     {"read", facts.read},
-                     {"points", report.points},
-                     {"sites", report.sites},
-                     {"non_finite", report.non_finite},
-                     {"duplicates", report.duplicates},
-                     {"interpolated", report.interpolated},
-                     {"interpolated_share", share},
-                     {"outliers", report.outliers},
-                     {"inserted", report.inserted},
-                     {"flips", report.flips},
-                     {"vertices", result.vertices.size()},
-                     {"triangles", result.triangles.size()},
-                     {"components", report.components},
-                     {"genus", report.genus},
-                     {"boundary_edges", report.boundary_edges},
-                     {"boundary_loops", report.boundary_loops},
-                     {"holes", to_list(report.holes)},
-                     {"closed", report.closed},
-                     {"manifold", report.manifold},
-                     {"stability", report.stability},
-                     {"rounds", report.rounds},
-                     {"steps", to_list(report.steps)},
-                     {"rooms", to_list(report.rooms)},
-                     {"reconstruction_seconds", report.seconds},
-                     {"seconds", facts.seconds},
-                     {"peak_memory_bytes", facts.peak_memory_bytes}};
+  Json json = {{"input", facts.input},
+               {"output", facts.output},
+               {"status", status_name(result.status)},
+               {"message", result.message},
+               {"warning", report.warning},
+               {"notes", facts.notes},
+               {"read", facts.read},
+               {"points", report.points},
+               {"sites", report.sites},
+               {"non_finite", report.non_finite},
+               {"duplicates", report.duplicates},
+               {"interpolated", report.interpolated},
+               {"interpolated_share", share},
+               {"outliers", report.outliers},
+               {"inserted", report.inserted},
+               {"flips", report.flips},
+               {"vertices", result.vertices.size()},
+               {"triangles", result.triangles.size()},
+               {"components", report.components},
+               {"genus", report.genus},
+               {"boundary_edges", report.boundary_edges},
+               {"boundary_loops", report.boundary_loops},
+               {"holes", to_list(report.holes)},
+               {"closed", report.closed},
+               {"manifold", report.manifold},
+               {"stability", report.stability},
+               {"rounds", report.rounds},
+               {"steps", to_list(report.steps)},
+               {"rooms", to_list(report.rooms)},
+               {"reconstruction_seconds", report.seconds},
+               {"seconds", facts.seconds},
+               {"peak_memory_bytes", facts.peak_memory_bytes}};
+  if (facts.ground) {
+    const auto& up = facts.ground->up;
+    json["ground"] = {up.x(), up.y(), up.z(), facts.ground->offset};
+    json["on_ground"] = facts.on_ground;
+    json["added"] = facts.added;
+  }
   // A file's name may hold bytes that are not UTF-8; JSON has no place for them.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "filmsticking/reconstruct.h"
+#include "filters/ground_plane.h"
 
 namespace filmsticking::app {
 
@@ -13,13 +15,17 @@ namespace filmsticking::app {
 struct RunFacts {
   std::string input;
   std::string output;
-  std::vector<std::string> notes;  ///< how the input was read: sentences
-  std::int64_t read = 0;           ///< points in the input
-  double seconds = 0;              ///< wall time with reading and writing
+  std::vector<std::string> notes;              ///< how the input was read: sentences
+  std::int64_t read = 0;                       ///< points in the input
+  std::optional<filters::GroundPlane> ground;  ///< of --ground
+  std::int64_t on_ground = 0;                  ///< points left out with it
+  std::int64_t added = 0;                      ///< points added on it and below outlines: the last ones
+  double seconds = 0;                          ///< wall time with reading and writing
   std::int64_t peak_memory_bytes = 0;
 };
 
-/// The report of --report. Its fields:
+/// The report of --report. With --ground, it has ground: the plane as A, B, C, D, on_ground and added. Its
+/// other fields:
 ///   input, output, status, message, warning: strings; message is empty when status is "Ok", warning unless
 ///   the result is doubtful (Report::warning)
 ///   notes: how the input was read, a list of sentences

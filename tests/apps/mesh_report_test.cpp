@@ -15,6 +15,8 @@
 #include <sstream>
 
 #include "io/formats.h"
+#include "report/extent.h"
+#include "report/holes.h"
 #include "report/report.h"
 #include "report/self_intersections.h"
 #include "report/surface_distance.h"
@@ -292,7 +294,7 @@ TEST(MeshExtent, CavitiesAreTakenOff) {
 TEST(SelfIntersections, ByTheCornersThatFacesShare) {
   const Point a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0};
   const auto pairs = [](const std::vector<Point>& p, const std::vector<Triangle>& t) {
-    return self_intersections(make_surface(triangles(p, t)));
+    return self_intersections(make_surface(triangles(p, t))).pairs;
   };
   // None: one through the other, beside it, touching it.
   EXPECT_EQ(pairs({a, b, c, {.2, .2, -1}, {.2, .2, 1}, {-1, -1, 0}}, {{0, 1, 2}, {3, 4, 5}}), 1);
@@ -489,6 +491,96 @@ TEST(CloudFit, OfLittle) {
   EXPECT_NEAR(one.distance_max.value(), 2, 1e-12);
 }
 
+// ---- Components, holes, a plane ----
+
+TEST(Components, HaveTheirOwnAreaAndVolume) {
+  Model open = box({5, 0, 0}, {6, 1, 1});
+  open.triangles.resize(10);
+  const std::vector<Component> parts =
+      components(make_surface(joined(joined(box(), open), box({0, 5, 0}, {3, 7, 1}))));
+  ASSERT_EQ(parts.size(), 3u);
+  EXPECT_DOUBLE_EQ(parts[0].area, 22);
+  EXPECT_NEAR(parts[0].volume.value(), 6, 1e-12);
+  EXPECT_NEAR(parts[1].volume.value(), 1, 1e-12);
+  EXPECT_EQ(parts[2].faces, 10);
+  EXPECT_FALSE(parts[2].closed);
+  EXPECT_DOUBLE_EQ(parts[2].area, 5);
+  EXPECT_FALSE(parts[2].volume);
+  EXPECT_TRUE(components(make_surface({})).empty());
+}
+
+TEST(Holes, AreLoopsWithTheirMeasures) {
+  Model open = box({0, 0, 0}, {3, 4, 1});
+  open.triangles.resize(2);  // the lower side alone
+  Surface surface = make_surface(open);
+  std::vector<Hole> all = holes(surface, sides_by_edge(surface));
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].vertices.size(), 4u);
+  EXPECT_DOUBLE_EQ(all[0].length, 14);
+  EXPECT_NEAR(all[0].diameter, 5, 1e-9);
+  EXPECT_NEAR((all[0].centre - Vec3(1.5, 2, 0)).norm(), 0, 1e-9);
+  EXPECT_NEAR((all[0].area_vector - Vec3(0, 0, 12)).norm(), 0, 1e-9);  // a lid looks the other way
+  surface = make_surface(box());
+  EXPECT_TRUE(holes(surface, sides_by_edge(surface)).empty());
+}
+
+TEST(Holes, ThatTouchAreSeveral) {
+  Model grid = plane({0, 0, 0}, {4, 0, 0}, {0, 4, 0}, 4);
+  // Two cells that share a corner are left out.
+  std::vector<Triangle> kept;
+  for (std::size_t t = 0; t < grid.triangles.size(); ++t)
+    if (t / 2 != 5 && t / 2 != 10) kept.push_back(grid.triangles[t]);
+  grid.triangles = kept;
+  const Surface surface = make_surface(grid);
+  const std::vector<Hole> all = holes(surface, sides_by_edge(surface));
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_DOUBLE_EQ(all[0].length, 16);
+  EXPECT_DOUBLE_EQ(all[1].length, 4);
+  EXPECT_DOUBLE_EQ(all[2].area(), 1);
+}
+
+TEST(Holes, HaveMeasuresWhereverTheyAre) {
+  for (const double scale : {1e-30, 1e60}) {
+    Model open = box();
+    open.triangles.resize(10);
+    for (Point& p : open.positions)
+      for (double& x : p) x = (x + 7) * scale;
+    const Surface surface = make_surface(open);
+    const std::vector<Hole> all = holes(surface, sides_by_edge(surface));
+    ASSERT_EQ(all.size(), 1u);
+    EXPECT_NEAR(all[0].diameter / scale, std::sqrt(2), 1e-6);
+  }
+}
+
+TEST(PlaneVolumes, AreOnBothSidesOfThePlane) {
+  for (const double scale : {1.0, 1e-9, 1e7}) {
+    const Vec3 up = Vec3(1, 2, -2) / 3;
+    Model mesh = torus({0, 0, 0}, 200);
+    for (Point& p : mesh.positions)
+      for (double& x : p) x *= scale;
+    const Surface surface = make_surface(mesh);
+    const double volume = extent(surface).signed_volume;
+    const PlaneVolumes half = plane_volumes(surface, up, 0);  // through the middle
+    EXPECT_NEAR(half.above / volume, 0.5, 1e-3);
+    EXPECT_NEAR((half.above + half.below) / volume, 1, 1e-9);
+    EXPECT_NEAR(half.net / volume, 1, 1e-9);
+    const PlaneVolumes all = plane_volumes(surface, up, 9 * scale);
+    EXPECT_NEAR(all.above / volume, 1, 1e-9);
+    EXPECT_EQ(all.below, 0);
+  }
+}
+
+TEST(PlaneVolumes, OfAnOpenSurfaceAreFillAndCut) {
+  // A square 2 x 2 that leans from -1 to 1: a wedge above, the same below.
+  const Surface roof = make_surface(plane({0, 0, -1}, {2, 0, 2}, {0, 2, 0}, 3));
+  const PlaneVolumes volumes = plane_volumes(roof, Vec3::UnitZ(), 0);
+  EXPECT_NEAR(volumes.above, 1, 1e-12);
+  EXPECT_NEAR(volumes.below, 1, 1e-12);
+  EXPECT_NEAR(volumes.net, 0, 1e-12);
+  const PlaneVolumes high = plane_volumes(roof, Vec3::UnitZ(), 5);
+  EXPECT_NEAR(high.above, 20, 1e-12);
+}
+
 // ---- The whole ----
 
 TEST(MeshReport, IsTheSameWithAnyNumberOfThreads) {
@@ -543,7 +635,8 @@ const std::set<std::string> kMeshMembers{"vertices",
                                          "outward",
                                          "area",
                                          "volume",
-                                         "holes"};
+                                         "holes",
+                                         "component_list"};
 
 TEST(MeshReportProgram, WritesJson) {
   const ScratchFolder folder;
@@ -612,6 +705,36 @@ TEST(MeshReportProgram, ListsHolesTheWidestFirst) {
   EXPECT_EQ(holes[0].at("centre").size(), 3u);
 }
 
+TEST(MeshReportProgram, MeasuresWithAUnitOverAPlane) {
+  const ScratchFolder folder;
+  io::write_mesh(folder / "boxes.ply", joined(box({0, 0, 1}, {1, 1, 3}), box({4, 0, 0}, {5, 1, 1})));
+  const std::vector<std::string> command = {folder / "boxes.ply", "--unit", "mm", "--ground", "0,0,2,-1"};
+  const std::string text = mesh_report(command).out;
+  for (const char* line :
+       {"volume                      3 mm³", "component 1                 area 10 mm², volume 2 mm³",
+        "volume above the ground     2.5 mm³"})
+    EXPECT_NE(text.find(line), std::string::npos) << text;
+  std::vector<std::string> as_json = command;
+  as_json.emplace_back("--json");
+  const Json json = Json::parse(mesh_report(as_json).out);
+  EXPECT_EQ(json.at("unit").get<std::string>(), "mm");
+  EXPECT_EQ(json.at("ground").get<std::vector<double>>(), (std::vector<double>{0, 0, 1, -0.5}));
+  EXPECT_NEAR(json.at("volume_above").get<double>(), 2.5, 1e-12);
+  EXPECT_NEAR(json.at("volume_below").get<double>(), 0.5, 1e-12);
+  EXPECT_EQ(json.at("component_list").size(), 2u);
+}
+
+TEST(MeshReportProgram, FindsTheGroundOfAMesh) {
+  const ScratchFolder folder;
+  io::write_mesh(folder / "scene.ply",
+                 joined(plane({-5, -5, 2}, {10, 0, 0}, {0, 10, 0}, 40), box({0, 0, 2.5}, {1, 1, 4.5})));
+  const Outcome outcome = mesh_report({folder / "scene.ply", "--json", "--ground"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_NEAR(json.at("ground")[2].get<double>(), 1, 1e-6);
+  EXPECT_NEAR(json.at("volume_above").get<double>(), 2, 1e-6);
+}
+
 TEST(MeshReportProgram, AMeshWithoutFacesHasAReport) {
   const ScratchFolder folder;
   std::ofstream(folder / "none.ply") << "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\n"
@@ -645,6 +768,9 @@ TEST(MeshReportProgram, FailsInOneSentence) {
       {2, {mesh, "--samples", "0"}},
       {2, {mesh, "--samples", "1000001"}},
       {2, {mesh, "--samples", "many"}},
+      {2, {mesh, "--ground", "0,0,0,1"}},
+      {2, {mesh, "--ground", "1,2"}},
+      {2, {mesh, "--unit", "miles"}},
       {1, {folder / "missing.ply"}},
       {1, {folder / "torn.ply"}},
       {1, {folder / "box.off"}},

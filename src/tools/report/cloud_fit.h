@@ -18,6 +18,17 @@ struct CloudFit {
   std::optional<double> distance_mean, distance_max;
 };
 
-CloudFit cloud_fit(const Surface& mesh, const std::vector<Point>& cloud);
+/// The distinct usable positions of a cloud, and how far the mesh is from each; no distances without faces.
+struct CloudDistances {
+  std::vector<Vec3> points;
+  std::vector<double> to_mesh;
+};
+
+CloudDistances cloud_distances(const Surface& mesh, const std::vector<Point>& cloud);
+
+CloudFit cloud_fit_of(const Surface& mesh, const CloudDistances& distances);
+inline CloudFit cloud_fit(const Surface& mesh, const std::vector<Point>& cloud) {
+  return cloud_fit_of(mesh, cloud_distances(mesh, cloud));
+}
 
 }  // namespace filmsticking::mesh_report

@@ -2,6 +2,7 @@
 #include "report.h"
 
 #include <new>
+#include <utility>
 
 #include "extent.h"
 #include "filmsticking/holes.h"
@@ -25,13 +26,22 @@ Report report_on(const Surface& mesh) {
   report.vertices = static_cast<std::int64_t>(mesh.positions.size());
   report.faces = static_cast<std::int64_t>(mesh.triangles.size());
   report.topology = topology(mesh);
-  report.self_intersections = self_intersections(mesh);
+  SelfIntersections meetings = self_intersections(mesh);
+  report.self_intersections = meetings.pairs;
+  report.meeting_faces = std::move(meetings.face_meets);
   report.holes = holes_of(mesh);
   const Extent size = extent(mesh);
   report.area = size.area;
+  report.parts = components(mesh);
   if (report.topology.closed && report.topology.oriented) report.volume = size.signed_volume;
   report.outward = report.volume && *report.volume > 0;
   return report;
+}
+
+GroundFit ground_fit(const Surface& mesh, const Topology& topology, const Vec3& up, double offset) {
+  GroundFit fit{up, offset, {}};
+  if (!mesh.triangles.empty() && topology.oriented) fit.volumes = plane_volumes(mesh, up, offset);
+  return fit;
 }
 
 TruthFit truth_fit(const Surface& mesh, const Topology& mesh_topology, const Surface& truth,

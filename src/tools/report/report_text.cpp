@@ -10,23 +10,16 @@
 namespace filmsticking::mesh_report {
 namespace {
 
-/// Names in one column, values in the next.
+using Rows = std::vector<std::pair<std::string, std::string>>;
+
+/// Names and values.
 class Table {
  public:
-  void add(const char* name, const std::string& value) {
-    width_ = std::max(width_, std::string(name).size());
-    rows_.emplace_back(name, value);
-  }
-  std::string text() const {
-    std::string text;
-    for (const auto& [name, value] : rows_)
-      text.append(name).append(width_ + 2 - name.size(), ' ').append(value).append("\n");
-    return text;
-  }
+  void add(const std::string& name, const std::string& value) { rows_.emplace_back(name, value); }
+  Rows rows() && { return std::move(rows_); }
 
  private:
-  std::size_t width_ = 0;
-  std::vector<std::pair<std::string, std::string>> rows_;
+  Rows rows_;
 };
 
 std::string yes(bool value) { return value ? "yes" : "no"; }
@@ -76,11 +69,37 @@ void add_holes(Table& table, const std::vector<Hole>& holes) {
   if (holes.size() > kShown) table.add("more holes", "--json lists all");
 }
 
-void add_cloud(Table& table, const CloudFit& cloud) {
+/// "12.5 mm²": the unit to the power of `exponent`, as "²".
+std::string measured(const std::optional<double>& value, const std::string& unit, const char* exponent) {
+  return number_or_dash("%.6g", value) + (unit.empty() || !value ? "" : " " + unit + exponent);
+}
+
+void add_extent(Table& table, const Report& report) {
+  constexpr std::size_t kMostParts = 10;
+  table.add("area", measured(report.area, report.unit, "²"));
+  table.add("volume", measured(report.volume, report.unit, "³"));
+  if (report.parts.size() > 1)
+    for (std::size_t i = 0; i < std::min(report.parts.size(), kMostParts); ++i)
+      table.add("component " + std::to_string(i + 1),
+                "area " + measured(report.parts[i].area, report.unit, "²") + ", volume " +
+                    measured(report.parts[i].volume, report.unit, "³"));
+  if (report.parts.size() > kMostParts)
+    table.add("components not listed", std::to_string(report.parts.size() - kMostParts));
+  if (!report.ground) return;
+  const auto volume = [&](double PlaneVolumes::*value) {
+    const auto& volumes = report.ground->volumes;
+    return measured(volumes ? std::optional((*volumes).*value) : std::nullopt, report.unit, "³");
+  };
+  table.add("volume above the ground", volume(&PlaneVolumes::above));
+  table.add("volume below the ground", volume(&PlaneVolumes::below));
+  table.add("volume over ground, net", volume(&PlaneVolumes::net));
+}
+
+void add_cloud(Table& table, const CloudFit& cloud, const std::string& unit) {
   table.add("points", std::to_string(cloud.points));
   table.add("points that are vertices", number("%.2f %%", cloud.interpolated));
-  table.add("from points to mesh, mean", number_or_dash("%.6g", cloud.distance_mean));
-  table.add("from points to mesh, largest", number_or_dash("%.6g", cloud.distance_max));
+  table.add("from points to mesh, mean", measured(cloud.distance_mean, unit, ""));
+  table.add("from points to mesh, largest", measured(cloud.distance_max, unit, ""));
 }
 
 void add_truth(Table& table, const TruthFit& truth) {
@@ -118,6 +137,27 @@ Json hole_list(const std::vector<Hole>& holes) {
   return list;
 }
 
+Json component_list(const Report& report) {
+  constexpr std::size_t kMostParts = 1000;
+  Json list = Json::array();
+  for (std::size_t i = 0; i < std::min(report.parts.size(), kMostParts); ++i) {
+    const Component& part = report.parts[i];
+    list.push_back({{"faces", part.faces},
+                    {"closed", part.closed},
+                    {"area", part.area},
+                    {"volume", or_null(part.volume)}});
+  }
+  return list;
+}
+
+Json ground_members(const GroundFit& ground) {
+  const auto& volumes = ground.volumes;
+  return {{"ground", {ground.up.x(), ground.up.y(), ground.up.z(), ground.offset}},
+          {"volume_above", volumes ? Json(volumes->above) : Json()},
+          {"volume_below", volumes ? Json(volumes->below) : Json()},
+          {"volume_net", volumes ? Json(volumes->net) : Json()}};
+}
+
 Json cloud_members(const CloudFit& cloud) {
   return {{"points", cloud.points},
           {"interpolated", cloud.interpolated},
@@ -143,7 +183,7 @@ Json truth_members(const TruthFit& truth) {
 
 }  // namespace
 
-std::string to_text(const Report& report) {
+Rows table_rows(const Report& report) {
   const Topology& topology = report.topology;
   Table table;
   table.add("vertices", std::to_string(report.vertices));
@@ -155,12 +195,21 @@ std::string to_text(const Report& report) {
   table.add("components", std::to_string(topology.components));
   table.add("genus", topology.genus ? std::to_string(*topology.genus) : "-");
   table.add("self-intersections", intersections(report.self_intersections));
-  table.add("area", number("%.6g", report.area));
-  table.add("volume", number_or_dash("%.6g", report.volume));
+  add_extent(table, report);
   add_holes(table, report.holes);
-  if (report.cloud) add_cloud(table, *report.cloud);
+  if (report.cloud) add_cloud(table, *report.cloud, report.unit);
   if (report.truth) add_truth(table, *report.truth);
-  return table.text();
+  return std::move(table).rows();
+}
+
+std::string to_text(const Report& report) {
+  const Rows rows = table_rows(report);
+  std::size_t width = 0;
+  for (const auto& row : rows) width = std::max(width, row.first.size());
+  std::string text;
+  for (const auto& [name, value] : rows)
+    text.append(name).append(width + 2 - name.size(), ' ').append(value).append("\n");
+  return text;
 }
 
 std::string to_json(const Report& report) {
@@ -179,7 +228,10 @@ std::string to_json(const Report& report) {
                {"outward", report.outward},
                {"area", report.area},
                {"volume", or_null(report.volume)},
-               {"holes", hole_list(report.holes)}};
+               {"holes", hole_list(report.holes)},
+               {"component_list", component_list(report)}};
+  if (!report.unit.empty()) json["unit"] = report.unit;
+  if (report.ground) json.update(ground_members(*report.ground));
   if (report.cloud) json.update(cloud_members(*report.cloud));
   if (report.truth) json.update(truth_members(*report.truth));
   return json.dump(2) + "\n";

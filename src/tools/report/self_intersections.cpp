@@ -72,18 +72,22 @@ class Faces {
 
 }  // namespace
 
-std::int64_t self_intersections(const Surface& surface) {
+SelfIntersections self_intersections(const Surface& surface) {
   const Faces faces(surface);
   std::vector<Box> boxes = faces.boxes();
   std::atomic<std::int64_t> pairs{0};
+  std::vector<std::atomic<char>> meets(surface.triangles.size());
   const auto count = [&](const Box& x, const Box& y) {
-    if (faces.intersect(x.info(), y.info()) && ++pairs >= kMostIntersections) throw Enough{};
+    if (!faces.intersect(x.info(), y.info())) return;
+    meets[x.info()].store(1, std::memory_order_relaxed);
+    meets[y.info()].store(1, std::memory_order_relaxed);
+    if (++pairs >= kMostIntersections) throw Enough{};
   };
   try {
     CGAL::box_self_intersection_d<CGAL::Parallel_tag>(boxes.begin(), boxes.end(), count);
   } catch (const Enough&) {
   }
-  return std::min(pairs.load(), kMostIntersections);
+  return {std::min(pairs.load(), kMostIntersections), {meets.begin(), meets.end()}};
 }
 
 }  // namespace filmsticking::mesh_report

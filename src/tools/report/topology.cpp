@@ -1,55 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "topology.h"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
-#include <numeric>
-#include <tuple>
 #include <vector>
+
+#include "disjoint_sets.h"
+#include "sides.h"
 
 namespace filmsticking::mesh_report {
 namespace {
 
-/// Union-find over n elements.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
-/// One side of a face: an edge with its ends in ascending order, and how the face runs along it.
-struct Side {
-  std::int32_t low, high, face;
-  int corner;  ///< of the face, where the side begins
-  bool forward;
-
-  bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
-  /// The corner of the face at one of the edge's ends, as 3 * face + corner.
-  std::size_t corner_at_low() const { return 3 * std::size_t(face) + (forward ? corner : (corner + 1) % 3); }
-  std::size_t corner_at_high() const { return 3 * std::size_t(face) + (forward ? (corner + 1) % 3 : corner); }
-};
-
-/// All sides, grouped by edge.
-std::vector<Side> sides_by_edge(const Surface& surface) {
-  std::vector<Side> sides;
-  sides.reserve(3 * surface.triangles.size());
-  for (std::size_t f = 0; f < surface.triangles.size(); ++f)
-    for (int k = 0; k < 3; ++k) {
-      const std::int32_t a = surface.triangles[f][k], b = surface.triangles[f][(k + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), static_cast<std::int32_t>(f), k, a < b});
-    }
-  tbb::parallel_sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
-    return std::tie(x.low, x.high, x.face) < std::tie(y.low, y.high, y.face);
-  });
-  return sides;
+/// The corner of the side's face at one of the edge's ends, as 3 * face + corner.
+std::size_t corner_at_low(const Side& side) {
+  return 3 * std::size_t(side.face) + (side.forward ? side.corner : (side.corner + 1) % 3);
+}
+std::size_t corner_at_high(const Side& side) {
+  return 3 * std::size_t(side.face) + (side.forward ? (side.corner + 1) % 3 : side.corner);
 }
 
 }  // namespace
@@ -71,8 +37,8 @@ Topology topology(const Surface& surface) {
     ++result.edges;
     pieces.join(begin->low, begin->high);
     for (auto side = begin + 1; side != end; ++side) {
-      fans.join(begin->corner_at_low(), side->corner_at_low());
-      fans.join(begin->corner_at_high(), side->corner_at_high());
+      fans.join(corner_at_low(*begin), corner_at_low(*side));
+      fans.join(corner_at_high(*begin), corner_at_high(*side));
     }
     const auto faces_here = end - begin;
     if (faces_here == 1) {

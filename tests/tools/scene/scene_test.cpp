@@ -11,6 +11,7 @@
 
 #include "io/formats.h"
 #include "io/io_error.h"
+#include "report/scale_length.h"
 #include "scene/camera.h"
 #include "scene/deviation.h"
 #include "scene/drawing.h"
@@ -121,16 +122,16 @@ TEST(Deviation, RefusesAReferenceWithoutFiniteFaces) {
 }
 
 TEST(ScaleLength, IsRoundAndForgetsStrays) {
-  EXPECT_DOUBLE_EQ(scene::scale_length({0, 0.31, 0.2}), 0.5);
-  EXPECT_DOUBLE_EQ(scene::scale_length({0.6}), 1);
-  EXPECT_DOUBLE_EQ(scene::scale_length({20}), 20);
-  EXPECT_NEAR(scene::scale_length({1.3e-7}), 2e-7, 1e-20);
+  EXPECT_DOUBLE_EQ(mesh_report::scale_length({0, 0.31, 0.2}), 0.5);
+  EXPECT_DOUBLE_EQ(mesh_report::scale_length({0.6}), 1);
+  EXPECT_DOUBLE_EQ(mesh_report::scale_length({20}), 20);
+  EXPECT_NEAR(mesh_report::scale_length({1.3e-7}), 2e-7, 1e-20);
   std::vector<double> mostly(1000, 0.15);
   mostly[7] = 90;
   mostly[8] = kNan;
-  EXPECT_NEAR(scene::scale_length(mostly), 0.2, 1e-15);
+  EXPECT_NEAR(mesh_report::scale_length(mostly), 0.2, 1e-15);
   for (const std::vector<double>& none : {std::vector<double>{}, {0., 0.}, {kNan}})
-    EXPECT_EQ(scene::scale_length(none), 1);
+    EXPECT_EQ(mesh_report::scale_length(none), 1);
 }
 
 TEST(ColourTable, GoesFromPaleToBlueWithoutRed) {
