@@ -131,7 +131,13 @@ io::Cloud read_and_filter(const Task& task, const CommandLine& command, TaskResu
       facts.ground = standing.plane;
       facts.on_ground = standing.on_plane;
       facts.added = standing.added;
-      cloud = {std::move(standing.points)};  // nobody saw the points that were added
+      cloud = {std::move(standing.points)};
+      cloud.viewpoints = io::viewpoints_of(cloud.points);
+      // Nobody saw the points that were added.
+      const std::size_t seen =
+          cloud.viewpoints.size() - std::min<std::size_t>(cloud.viewpoints.size(), standing.added);
+      std::fill(cloud.viewpoints.begin() + static_cast<std::ptrdiff_t>(seen), cloud.viewpoints.end(),
+                Point{NAN, NAN, NAN});
     }
   } catch (const filters::FilterError& error) {
     throw io::IoError(facts.input + ": " + error.what());
