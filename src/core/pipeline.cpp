@@ -105,10 +105,10 @@ Candidate Pipeline::labelling() {
     return first.quality.complexity > 1 ? cutter_.mended(std::move(first), Cutter::Mend::Plugs) : first;
 
   if (first.missed > kUnclear && viewpoints_.empty()) first = or_seen(std::move(first), belief_of(film));
-  // Their energies change order once their own normals are known.
+  // Their energies change order once their own normals are known and chance gaps are plugged.
   Candidate best;
   for (Candidate& start : starts(std::move(first))) {
-    Candidate fine = cutter_.refined(std::move(start));
+    Candidate fine = cutter_.mended(cutter_.refined(std::move(start)), Cutter::Mend::Plugs);
     if (best.empty() || less(fine, best)) best = std::move(fine);
   }
   best = cutter_.mended(std::move(best));
