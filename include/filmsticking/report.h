@@ -34,7 +34,7 @@ struct Hole {
   double diameter = 0;  ///< of the smallest ball around its rim
   double area = 0;      ///< of its rim, projected along its mean normal
   Point centre{};       ///< mean place of its rim
-  std::int64_t edges = 0;
+  std::int64_t edges = 0;  ///< of its rim
   bool closed = false;  ///< it has got a lid (Options::max_hole)
 };
 

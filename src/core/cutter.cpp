@@ -85,6 +85,11 @@ void Cutter::use_sight(std::vector<float> votes) {
   });
 }
 
+std::vector<float> Cutter::forget_sight() {
+  known_.clear();
+  return std::exchange(sight_, {});
+}
+
 std::vector<double> Cutter::turn_sight_over() {
   std::vector<double> belief(sight_.size());
   parallel_each(sight_.size(), [&](std::size_t t) {

@@ -62,6 +62,8 @@ class Cutter {
   void take(Tetrahedra tetrahedra);
   /// What is known of tetrahedra by sight, from now on a term of every cut and of the energy.
   void use_sight(std::vector<float> votes);
+  /// Gives sight up, and returns its votes.
+  std::vector<float> forget_sight();
   /// What sight takes for outside is inside from now on: that of a room. Returns the belief by sight alone.
   std::vector<double> turn_sight_over();
   const TetrahedralMesh& mesh() const { return mesh_; }

@@ -100,20 +100,35 @@ Candidate Pipeline::labelling() {
   if (!guessed_) look(site_viewpoints(sites_, options_));
   const std::vector<char> film = film_from_sphere();
   Candidate first = cutter_.cut_field(belief_of(film), open_);
+  if (first.missed > kClear && !viewpoints_.empty()) first = or_blind(std::move(first), belief_of(film));
   if (first.missed <= kClear && !first.empty())
     // With a handle or a second component it may have walls, if no thin ones.
     return first.quality.complexity > 1 ? cutter_.mended(std::move(first), Cutter::Mend::Plugs) : first;
 
   if (first.missed > kUnclear && viewpoints_.empty()) first = or_seen(std::move(first), belief_of(film));
   // Their energies change order once their own normals are known and chance gaps are plugged.
-  Candidate best;
+  Candidate best, plugged;
   for (Candidate& start : starts(std::move(first))) {
-    Candidate fine = cutter_.mended(cutter_.refined(std::move(start)), Cutter::Mend::Plugs);
-    if (best.empty() || less(fine, best)) best = std::move(fine);
+    Candidate fine = cutter_.refined(std::move(start));
+    Candidate quick = cutter_.mended(fine, Cutter::Mend::Plugs);
+    if (best.empty() || less(quick, plugged)) best = std::move(fine), plugged = std::move(quick);
   }
   best = cutter_.mended(std::move(best));
   if (inside_) best = or_room(std::move(best));
   return best;
+}
+
+// Sight is wrong where the cut is clear without it alone.
+Candidate Pipeline::or_blind(Candidate seen, std::vector<double> guess) {
+  std::vector<float> votes = cutter_.forget_sight();
+  Candidate blind = cutter_.cut_field(std::move(guess), open_);
+  if (!blind.empty() && blind.missed <= kClear) {
+    viewpoints_.clear();
+    inside_ = false;
+    return blind;
+  }
+  cutter_.use_sight(std::move(votes));
+  return seen;
 }
 
 // A depth image shows its viewpoint by its raster; any other cloud may have been seen from where a guess
@@ -125,7 +140,7 @@ Candidate Pipeline::or_seen(Candidate first, std::vector<double> guess) {
     return first;
   Candidate seen = cutter_.cut_field(std::move(guess), open_);
   if (!seen.empty() && seen.missed <= kUnclear && less(seen, first)) return seen;
-  cutter_.use_sight({});
+  cutter_.forget_sight();
   viewpoints_.clear();
   return first;
 }

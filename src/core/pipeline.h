@@ -41,6 +41,7 @@ class Pipeline {
   bool look(std::vector<Vec3> from);
   Candidate labelling();
   std::vector<Candidate> starts(Candidate first);
+  Candidate or_blind(Candidate seen, std::vector<double> guess);
   Candidate or_seen(Candidate first, std::vector<double> guess);
   Candidate or_room(Candidate best);
   Candidate two_sides(const Candidate* rival);

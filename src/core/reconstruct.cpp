@@ -86,10 +86,9 @@ void run(const PointsView& points, Options options, const Execution& execution, 
     found = pipeline.run(triangulation_of(sites, limits, report, options));
   }
 
-  const FinishOptions finish_options{may_open, options.sharp_edges,
-                                     found->viewpoint ? &*found->viewpoint : nullptr,
-                                     found->viewpoints.empty() ? nullptr : &found->viewpoints,
-                                     options.max_hole / sites.side};
+  const FinishOptions finish_options{
+      may_open, options.sharp_edges, found->viewpoint ? &*found->viewpoint : nullptr,
+      found->viewpoints.empty() ? nullptr : &found->viewpoints, options.max_hole / sites.side};
   FinishedSurface finished =
       finish(std::move(found->surface), points, sites, geometry, finish_options, monitor);
   // Few points, mostly on a plane: a closed surface may be flatter than the perturbation.

@@ -216,10 +216,16 @@ TEST(Pipeline, ARoomSeenFromInsideIsItsAir) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     SCOPED_TRACE(seed);
     std::vector<Point> walls;
-    for (const Point& p : test::box(6000, seed, {6, 4, 2.8}))
-      if (p[2] < 1.3 || p[0] < 2) walls.push_back(p);  // a part of the ceiling is missing
+    double top = -INFINITY, bottom = INFINITY, left = INFINITY, front = INFINITY;
+    const std::vector<Point> all = test::box(6000, seed, {6, 4, 2.8});
+    for (const Point& p : all) {
+      top = std::max(top, p[2]), bottom = std::min(bottom, p[2]);
+      left = std::min(left, p[0]), front = std::min(front, p[1]);
+    }
+    for (const Point& p : all)  // a part of the ceiling is missing
+      if (p[2] < top - 1e-6 || p[0] < left + 4) walls.push_back(p);
     Options options;
-    options.viewpoint = Point{0.3, -0.4, 0.1};
+    options.viewpoint = Point{left + 2.6, front + 1.7, (top + bottom) / 2};
     Setting room(walls, options);
     const FoundSurface found = room.run();
     expect_surface_of_sites(found, true);
