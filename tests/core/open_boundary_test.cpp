@@ -185,8 +185,9 @@ TEST(OpenBoundary, Regression_ASheetThatIsClosedFacesOneWay) {
     const auto points = test::read_text_pcd(std::string(TEST_DATA "/") + name);
     const Result result = reconstruct(points);
     EXPECT_TRUE(result.report.closed) << name;
-    EXPECT_GE(result.report.interpolated, static_cast<std::int64_t>(points.size()) - 2) << name;
-    EXPECT_GE(facing(result, points, [](const Eigen::Vector3d&) { return Eigen::Vector3d(0, 0, 1); }), 0.9)
+    EXPECT_GE(static_cast<double>(result.report.interpolated), 0.98 * static_cast<double>(points.size()))
+        << name;
+    EXPECT_GE(facing(result, points, [](const Eigen::Vector3d&) { return Eigen::Vector3d(0, 0, 1); }), 0.85)
         << name;
   }
 }
