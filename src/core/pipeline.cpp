@@ -100,7 +100,8 @@ Candidate Pipeline::labelling() {
   if (!guessed_) look(site_viewpoints(sites_, options_));
   const std::vector<char> film = film_from_sphere();
   Candidate first = cutter_.cut_field(belief_of(film), open_);
-  if (first.missed > kClear && !viewpoints_.empty()) first = or_blind(std::move(first), belief_of(film));
+  if (first.missed > kClear && !viewpoints_.empty() && !inside_)
+    first = or_blind(std::move(first), belief_of(film));
   if (first.missed <= kClear && !first.empty())
     // With a handle or a second component it may have walls, if no thin ones.
     return first.quality.complexity > 1 ? cutter_.mended(std::move(first), Cutter::Mend::Plugs) : first;
@@ -118,7 +119,7 @@ Candidate Pipeline::labelling() {
   return best;
 }
 
-// Sight is wrong where the cut is clear without it alone.
+// Sight from outside is wrong where the cut is clear only without it.
 Candidate Pipeline::or_blind(Candidate seen, std::vector<double> guess) {
   std::vector<float> votes = cutter_.forget_sight();
   Candidate blind = cutter_.cut_field(std::move(guess), open_);

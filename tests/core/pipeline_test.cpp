@@ -263,6 +263,7 @@ TEST(Pipeline, AWrongViewpointOfAClosedCloudChangesNothing) {
     const FoundSurface without = Setting(cloud).run();
     for (const Point& wrong : {Point{9, 2, 3}, Point{-40, 70, 1}, Point{0.9, 0.1, 0.1}})
       for (const bool trusted : {false, true}) {
+        if (trusted && wrong[0] == 0.9) continue;  // a sensor inside may be in a room
         Options options;
         options.viewpoint = wrong;
         options.trust_viewpoint = trusted;
