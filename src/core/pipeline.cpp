@@ -27,6 +27,7 @@ constexpr double kFilmWidth = 2;
 constexpr double kClear = 0.01;
 // > 10 %: there may be no inside; the points may be an open surface.
 constexpr double kUnclear = 0.1;
+
 // Carvings. Width: the ball that carves the outside does not enter narrower places, in spacings. A weak
 // conviction gives up shapes whose walls are thin nearly everywhere. The last width is that of some chance
 // gaps.

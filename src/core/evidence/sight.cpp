@@ -34,7 +34,7 @@ class Rays {
 
   /// Returns whether the ray leaves the hull. Calls visit(t, k, begin, end) for the finite tetrahedra from
   /// site v on, up to `length`, with the facet k through which the ray leaves t and the distances at which it
-  /// enters and leaves, until it says false.
+  /// enters and leaves.
   template <class Visit>
   bool walk(Index v, const Vec3& direction, double length, const Visit& visit) const {
     const Vec3& origin = sites_[v];
@@ -55,7 +55,8 @@ class Rays {
       }
       if (to < 0) return false;
       end = std::max(begin, end);
-      if (!visit(t, to, begin, std::min(end, length)) || end >= length) return false;
+      visit(t, to, begin, std::min(end, length));
+      if (end >= length) return false;
       const Index across = mesh_.mirror[t][to];
       t = across / 4, from = across % 4, begin = end;
       if (mesh_.tets.infinite(t)) return true;
@@ -126,13 +127,10 @@ Sight lines_of_sight(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites
         const double sure = 1 - std::exp(-from_site * from_site / 2);
         add(t, -sure * std::min(1.0, (end - begin) / spacing));
         passed |= end > kOwnPart * spacing && end < length && evidence.votes[t][k] == 3;
-        return true;
       });
       const double depth = kDepth * spacing;
-      rays.walk(v, -direction, depth, [&](Index t, int, double begin, double end) {
-        add(t, (end - begin) / depth);
-        return true;
-      });
+      rays.walk(v, -direction, depth,
+                [&](Index t, int, double begin, double end) { add(t, (end - begin) / depth); });
       ++lines;
       blocked += passed;
     }

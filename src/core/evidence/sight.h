@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "delaunay/tetrahedral_mesh.h"
@@ -20,7 +21,7 @@ struct Sight {
   std::int64_t blocked = 0;  ///< lines through a facet that all of its corners vote for
 };
 
-/// Walks from every site to its viewpoint through the tetrahedra, and one spacing beyond the site (after
+/// Walks from every site to its viewpoint through the tetrahedra, and half a spacing beyond the site (after
 /// Labatut, Pons and Keriven, "Robust and efficient surface reconstruction from range data", 2009). Near its
 /// site a line counts less, as sites are off the surface by noise; a short way through a tetrahedron counts
 /// less than one spacing does. A walk ends at the hull, however far the sensor is.
