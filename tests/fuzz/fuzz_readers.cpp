@@ -12,7 +12,6 @@
 #include "io/codecs.h"
 #include "io/formats.h"
 #include "io/io_error.h"
-#include "io/strict_pcd.h"
 #include "stream/frame_points.h"
 #include "stream/frame_source.h"
 #include "stream/stream_error.h"
@@ -88,19 +87,14 @@ void read_with_columns(std::string_view bytes) {
     }
 }
 
-/// A frame of a capture, which goes through PCL's reader if it is a strict PCD file.
+/// Frames of a capture.
 void read_as_frame(std::string_view bytes) {
-  try {
-    io::check_pcd(bytes);
-    io::decode_pcd(bytes);
-  } catch (const std::runtime_error&) {
-    return;
-  }
   const int file = memfd_create("frame", 0);
   if (file < 0 || write(file, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) std::abort();
   try {
-    const auto frame = stream::file_sequence({"/proc/self/fd/" + std::to_string(file)})->next();
-    if (frame) require_no_fault(fault_of(stream::frame_points(*frame, {}), bytes.size()));
+    const auto frames = stream::file_sequence({"/proc/self/fd/" + std::to_string(file)});
+    while (const auto frame = frames->next())
+      require_no_fault(fault_of(stream::frame_points(*frame, {}), bytes.size()));
   } catch (const stream::StreamError&) {
   }
   close(file);

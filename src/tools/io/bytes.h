@@ -46,6 +46,29 @@ T load(const Byte* bytes) {
   return value;
 }
 
+/// The number of the same bits.
+template <typename T, typename Bits>
+T as(Bits bits) {
+  static_assert(sizeof(T) == sizeof bits);
+  T value;
+  std::memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+/// The big-endian number at `bytes`, which may be any place.
+template <typename T, typename Byte>
+T load_big(const Byte* bytes) {
+  if constexpr (sizeof(T) == 1) {
+    return load<T>(bytes);
+  } else if constexpr (sizeof(T) == 2) {
+    return as<T>(__builtin_bswap16(load<std::uint16_t>(bytes)));
+  } else if constexpr (sizeof(T) == 4) {
+    return as<T>(__builtin_bswap32(load<std::uint32_t>(bytes)));
+  } else {
+    return as<T>(std::uint64_t{__builtin_bswap64(load<std::uint64_t>(bytes))});
+  }
+}
+
 /// The little-endian number of this type at `bytes`, rounded to double precision.
 double load(const void* bytes, Scalar type);
 

@@ -24,6 +24,7 @@ using Colour = std::array<std::uint8_t, 3>;
 struct Cloud {
   pcl::PCLPointCloud2 points;  ///< x, y, z are FLOAT32 or FLOAT64: the file's values, bit for bit
   std::optional<Point> viewpoint = std::nullopt;
+  std::optional<std::array<double, 4>> orientation = std::nullopt;  ///< of the sensor: a quaternion w x y z
   std::vector<Point> viewpoints = {};   ///< of each point, where its sensor was; empty if unknown
   std::vector<std::string> notes = {};  ///< how the file was read, where that is not plain: sentences
 };

@@ -3,8 +3,6 @@
 // Polygons become fans of triangles whose corners are vertices of the mesh.
 #pragma once
 
-#include <pcl/PolygonMesh.h>
-
 #include <array>
 #include <string_view>
 #include <vector>
@@ -15,25 +13,32 @@
 
 namespace filmsticking::io {
 
+/// What a file of a mesh has; `notes` say what is left out.
+struct Shape {
+  pcl::PCLPointCloud2 points;
+  std::vector<Triangle> triangles = {};
+  Notes notes = {};
+};
+
 /// A PCD file (ascii, binary, binary_compressed) with all fields, as PointLayout makes them. The order of the
 /// header's lines is free.
 Cloud decode_pcd(std::string_view bytes);
 
 /// A PLY file (ascii, binary of either byte order) with all scalar properties of the vertices, as PointLayout
-/// makes them. Lists of vertices and other elements are skipped. `notes`, if any, is set.
-pcl::PolygonMesh decode_ply(std::string_view bytes, Notes* notes = nullptr);
+/// makes them. Lists of vertices and other elements are skipped.
+Shape decode_ply(std::string_view bytes);
 
-/// Vertices, with colours where every vertex has one, and faces of a Wavefront OBJ file.
-pcl::PolygonMesh decode_obj(std::string_view bytes);
+/// Vertices, with colours and normals where every vertex has one, and faces of a Wavefront OBJ file.
+Shape decode_obj(std::string_view bytes);
 
 /// An STL file, binary or text; equal corners become one vertex.
-pcl::PolygonMesh decode_stl(std::string_view bytes);
+Shape decode_stl(std::string_view bytes);
 
 /// Points, polygons and triangle strips of a legacy VTK file of polygonal data, or the points of an
 /// unstructured or structured grid, text or binary, up to version 5.1. The first scalars of three or four
 /// unsigned bytes are colours. All else is skipped. Source of the format: "VTK File Formats" of the VTK
 /// User's Guide.
-pcl::PolygonMesh decode_vtk(std::string_view bytes, Notes* notes = nullptr);
+Shape decode_vtk(std::string_view bytes);
 
 /// A table of points as text, one a line. `columns`: names of its columns, "_" for none; empty: they are
 /// taken from the file's header, or from what the columns can be, and notes say so. Named columns are kept as
@@ -59,8 +64,8 @@ bool is_ptx(std::string_view bytes);
 /// The cells of an Esri ASCII grid of heights that have a height, at their centres.
 Cloud decode_grid(std::string_view bytes);
 
-/// The vertices, with colours, and faces of an OFF file (OFF, COFF, NOFF, CNOFF, STOFF).
-pcl::PolygonMesh decode_off(std::string_view bytes);
+/// The vertices, with colours and normals, and faces of an OFF file (OFF, COFF, NOFF, CNOFF, STOFF).
+Shape decode_off(std::string_view bytes);
 
 /// A LAS file 1.0 to 1.4 of point formats 0 to 10 with colours, intensity, classification and time.
 /// Coordinates are the doubles nearest to their decimals. LAZ is refused.

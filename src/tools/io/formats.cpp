@@ -132,6 +132,15 @@ std::string content_format(const std::string& extension, std::string_view bytes)
   throw IoError("its content is of no format that is read:" + list);
 }
 
+Shape decode_shape(const std::string& format, std::string_view bytes) {
+  if (format == "ply") return decode_ply(bytes);
+  if (format == "obj") return decode_obj(bytes);
+  if (format == "stl") return decode_stl(bytes);
+  if (format == "vtk") return decode_vtk(bytes);
+  if (format == "off") return decode_off(bytes);
+  throw IoError("there is no format '" + format + "' for points");
+}
+
 /// The path's extension without its dot, if it is one of the formats.
 std::string format_of(const std::string& path, const std::vector<std::string>& formats) {
   const std::string extension = extension_of(path);
@@ -192,24 +201,26 @@ Cloud decode_cloud(const std::string& format, std::string_view bytes,
   } else if (is_table(format)) {
     cloud = decode_xyz(bytes, columns);
   } else {
-    Notes notes;
-    cloud.points = decode_mesh(format, bytes, &notes).cloud;
-    cloud.notes = std::move(notes);
+    Shape shape = decode_shape(format, bytes);
+    cloud.points = std::move(shape.points);
+    cloud.notes = std::move(shape.notes);
   }
   cloud.viewpoints = viewpoints_of(cloud.points);
   return cloud;
 }
 
 pcl::PolygonMesh decode_mesh(const std::string& format, std::string_view bytes, Notes* notes) {
-  if (format == "ply") return decode_ply(bytes, notes);
-  if (format == "obj") return decode_obj(bytes);
-  if (format == "stl") return decode_stl(bytes);
-  if (format == "vtk") return decode_vtk(bytes, notes);
-  if (format == "off") return decode_off(bytes);
-  const std::vector<std::string>& known = cloud_formats();
-  if (std::find(known.begin(), known.end(), format) != known.end())
-    return make_mesh(decode_cloud(format, bytes).points, {});
-  throw IoError("there is no format '" + format + "' for points");
+  const bool meshes = std::any_of(std::begin(kFormats), std::end(kFormats), [&](const Format& known) {
+    return known.reads_mesh && format == known.name;
+  });
+  if (!meshes) {
+    Cloud cloud = decode_cloud(format, bytes);
+    if (notes) *notes = std::move(cloud.notes);
+    return make_mesh(std::move(cloud.points), {});
+  }
+  Shape shape = decode_shape(format, bytes);
+  if (notes) *notes = std::move(shape.notes);
+  return make_mesh(std::move(shape.points), shape.triangles);
 }
 
 void encode_mesh(const std::string& format, const pcl::PCLPointCloud2& vertices,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // By hand: CGAL 5.5 takes the numbers in the header for what is there, and drops colours of some orders.
 #include <algorithm>
-#include <cmath>
+#include <cstring>
 #include <string>
 
 #include "codecs.h"
@@ -21,12 +21,19 @@ class OffFile {
  public:
   explicit OffFile(std::string_view bytes) : bytes_(plain_text(bytes, buffer_)), lines_(bytes_) {}
 
-  pcl::PolygonMesh decode() {
+  Shape decode() {
     header();
-    for (std::size_t i = 0; i < vertices_; ++i) vertex();
+    if (vertices_ > 0 && !next()) throw_short();
+    const PointLayout layout(columns());
+    shape_.points = layout.cloud(vertices_);
+    vertices(layout);
     for (std::size_t i = 0; i < faces_; ++i) face();
-    check_corners(triangles_, positions_.size());
-    return make_mesh(cloud(), triangles_);
+    check_corners(shape_.triangles, vertices_);
+    layout.finish(shape_.points, shape_.notes);
+    if (kind_.texture) shape_.notes.push_back("left out its texture coordinates");
+    if (left_out_) shape_.notes.push_back("left out the other numbers of its vertices");
+    if (coloured_faces_) shape_.notes.push_back("left out the colours of its faces");
+    return std::move(shape_);
   }
 
  private:
@@ -85,49 +92,50 @@ class OffFile {
     return value;
   }
 
-  void vertex() {
-    if (!next()) throw_short();
-    positions_.push_back({number(0), number(1), number(2)});
-    // Colours stand behind normals; many writers put them into files named OFF, too.
-    const std::size_t begin = kind_.normals ? 6 : 3;
-    const std::size_t rest = words_.size() - std::min(words_.size(), begin) - (kind_.texture ? 2 : 0);
-    const bool here = (kind_.colours || !kind_.texture) && (rest == 3 || rest == 4);
-    if (kind_.colours && !here) refuse("has no colour");
-    if (!here) return;
-    Point colour{};
-    for (std::size_t k = 0; k < 3; ++k) colour[k] = number(begin + k);
-    colours_.push_back(colour);
-    fractions_ |= std::any_of(words_.begin() + static_cast<std::ptrdiff_t>(begin), words_.end(),
-                              [](std::string_view word) { return word.find('.') != std::string_view::npos; });
+  /// From the words of the first vertex. Colours stand behind normals, texture coordinates behind them; many
+  /// writers put colours into files named OFF, too.
+  std::vector<Column> columns() {
+    std::vector<Column> columns;
+    for (const char* name : {"x", "y", "z"}) columns.push_back({name, Scalar::Double});
+    for (const char* name : {"nx", "ny", "nz"})
+      if (kind_.normals) columns.push_back({name, Scalar::Float});
+    const std::size_t known = columns.size() + (kind_.texture ? 2 : 0);
+    numbers_ = vertices_ > 0 ? words_.size() : known;
+    if (numbers_ < known) refuse("is no vertex: it has " + std::to_string(numbers_) + " numbers");
+    const std::size_t more = numbers_ - known;
+    const bool coloured = (kind_.colours || !kind_.texture) && (more == 3 || more == 4);
+    if (kind_.colours && !coloured && vertices_ > 0) refuse("has no colour");
+    for (const char* name : {"r", "g", "b"})
+      if (coloured) columns.push_back({name, Scalar::Float});
+    left_out_ = more > 0 && !coloured;
+    columns_ = columns.size();
+    return columns;
+  }
+
+  void vertices(const PointLayout& layout) {
+    std::uint8_t* to = shape_.points.data.data();
+    for (std::size_t i = 0; i < vertices_; ++i, to += layout.step()) {
+      if (i > 0 && !next()) throw_short();
+      if (words_.size() != numbers_)
+        refuse("has " + std::to_string(words_.size()) + " numbers, and the first vertex has " +
+               std::to_string(numbers_));
+      for (std::size_t k = 0; k < columns_; ++k) {
+        const double value = number(k);
+        const float single = to_float(value);
+        k < 3 ? std::memcpy(to + layout.offset(k), &value, sizeof value)
+              : std::memcpy(to + layout.offset(k), &single, sizeof single);
+      }
+    }
   }
 
   void face() {
     if (!next()) throw_short();
     const std::size_t corners = count(0);
     if (corners >= words_.size()) refuse("has fewer corners than it says");
+    coloured_faces_ |= words_.size() > corners + 1;
     corners_.clear();
     for (std::size_t k = 1; k <= corners; ++k) corners_.push_back(corner_index(number(k)));
-    append_polygon(corners_, triangles_);
-  }
-
-  /// Colours are bytes, or from 0 to 1 with a point.
-  pcl::PCLPointCloud2 cloud() const {
-    if (colours_.size() != positions_.size()) return make_cloud(positions_);
-    double most = 0;
-    for (const Point& c : colours_)
-      for (const double x : c) {
-        if (!(x >= 0 && x <= 255)) throw IoError("a colour in it is not from 0 to 255");
-        most = std::max(most, x);
-      }
-    const double scale = fractions_ && most <= 1 ? 255 : 1;
-    std::vector<Colour> bytes;
-    bytes.reserve(colours_.size());
-    for (const Point& c : colours_) {
-      Colour colour{};
-      for (std::size_t k = 0; k < 3; ++k) colour[k] = static_cast<std::uint8_t>(std::lround(c[k] * scale));
-      bytes.push_back(colour);
-    }
-    return make_cloud(positions_, bytes);
+    append_polygon(corners_, shape_.triangles);
   }
 
   std::string buffer_;
@@ -136,14 +144,14 @@ class OffFile {
   std::vector<std::string_view> words_;
   Kind kind_;
   std::size_t vertices_ = 0, faces_ = 0;
-  bool fractions_ = false;
-  std::vector<Point> positions_, colours_;
+  std::size_t numbers_ = 0, columns_ = 0;  // of a vertex, and those that are kept
+  bool left_out_ = false, coloured_faces_ = false;
   std::vector<std::int32_t> corners_;
-  std::vector<Triangle> triangles_;
+  Shape shape_;
 };
 
 }  // namespace
 
-pcl::PolygonMesh decode_off(std::string_view bytes) { return OffFile(bytes).decode(); }
+Shape decode_off(std::string_view bytes) { return OffFile(bytes).decode(); }
 
 }  // namespace filmsticking::io

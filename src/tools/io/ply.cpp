@@ -7,6 +7,7 @@
 #include <string>
 
 #include "codecs.h"
+#include "field_role.h"
 #include "io_error.h"
 #include "point_layout.h"
 #include "text_scanner.h"
@@ -225,8 +226,10 @@ pcl::PCLPointCloud2 read_vertices(Body& body, const Element& element, Notes& not
 }
 
 /// That there are such vertices is seen at the end: faces may come first.
-void read_faces(Body& body, const Element& element, std::vector<Triangle>& triangles) {
+void read_faces(Body& body, const Element& element, Shape& shape) {
   std::vector<std::int32_t> corners;
+  for (const Property& property : element.properties)
+    if (role_of(property.name) == Role::Red) shape.notes.push_back("left out the colours of its faces");
   for (std::size_t row = 0; row < element.count; ++row)
     for (const Property& property : element.properties) {
       if (!property.is_list || (property.name != "vertex_indices" && property.name != "vertex_index")) {
@@ -235,7 +238,7 @@ void read_faces(Body& body, const Element& element, std::vector<Triangle>& trian
       }
       corners.resize(body.list_size(property));
       for (std::int32_t& corner : corners) corner = corner_index(body.value(property.type));
-      append_polygon(corners, triangles);
+      append_polygon(corners, shape.triangles);
     }
 }
 
@@ -288,31 +291,27 @@ std::vector<Written> written_of(const pcl::PCLPointCloud2& cloud) {
 
 }  // namespace
 
-pcl::PolygonMesh decode_ply(std::string_view bytes, Notes* notes) {
+Shape decode_ply(std::string_view bytes) {
   TextScanner file(bytes);
   const PlyHeader header = parse_ply_header(file);
   refuse_splats(header);
   Body body(header.format, bytes, bytes.size() - file.remaining());
-  Notes said;
-
-  pcl::PCLPointCloud2 vertices = make_cloud({});
-  std::vector<Triangle> triangles;
+  Shape shape{make_cloud({})};
   for (const Element& element : header.elements) {
     if (element.properties.empty()) continue;
     body.check_count(element);
-    if (element.name == "vertex" && size_of(vertices) == 0) {
-      vertices = read_vertices(body, element, said);
+    if (element.name == "vertex" && size_of(shape.points) == 0) {
+      shape.points = read_vertices(body, element, shape.notes);
     } else if (element.name == "face") {
-      read_faces(body, element, triangles);
+      read_faces(body, element, shape);
     } else {
       for (std::size_t row = 0; row < element.count; ++row)
         for (const Property& property : element.properties) body.skip(property);
     }
   }
   body.check_end();
-  check_corners(triangles, size_of(vertices));
-  if (notes) *notes = std::move(said);
-  return make_mesh(std::move(vertices), triangles);
+  check_corners(shape.triangles, size_of(shape.points));
+  return shape;
 }
 
 void encode_ply(const pcl::PCLPointCloud2& vertices, const std::vector<Triangle>& triangles,

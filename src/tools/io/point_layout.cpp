@@ -28,20 +28,17 @@ std::vector<std::size_t> columns_by_role(const std::vector<Column>& columns) {
   return found;
 }
 
+/// Reverses the bytes of a number.
 template <typename Bits>
-void turn(std::uint8_t* value, Bits (*swap)(Bits)) {
-  Bits bits;
-  std::memcpy(&bits, value, sizeof bits);
-  bits = swap(bits);
+void turn(std::uint8_t* value) {
+  const auto bits = load_big<Bits>(value);
   std::memcpy(value, &bits, sizeof bits);
 }
 
-/// Reverses the bytes of a number.
 void turn(std::uint8_t* value, std::size_t size) {
-  if (size == 2) turn<std::uint16_t>(value, [](std::uint16_t x) { return __builtin_bswap16(x); });
-  if (size == 4) turn<std::uint32_t>(value, [](std::uint32_t x) { return __builtin_bswap32(x); });
-  if (size == 8)
-    turn<std::uint64_t>(value, [](std::uint64_t x) { return std::uint64_t{__builtin_bswap64(x)}; });
+  if (size == 2) turn<std::uint16_t>(value);
+  if (size == 4) turn<std::uint32_t>(value);
+  if (size == 8) turn<std::uint64_t>(value);
 }
 
 /// From a channel's values to bytes.

@@ -85,14 +85,20 @@ class VtkBody {
     return found->second;
   }
 
+  /// Refuses an array that the rest of the file cannot hold.
+  void require(std::size_t tuples, std::size_t size, Scalar type) const {
+    const std::size_t smallest = binary_ ? size_of(type) : 1;
+    if (size > 0 && tuples > rest_.size() / smallest / size) throw_vtk_short();
+  }
+
   /// Calls use(value) for each number of an array of `tuples` times `size` of them. A length that the rest of
   /// the file cannot hold is refused before.
   template <class Use>
   void array(std::size_t tuples, std::size_t size, Scalar type, const Use& use) {
     if (binary_) line();
-    const std::size_t smallest = binary_ ? size_of(type) : 1;
-    if (size > 0 && tuples > rest_.size() / smallest / size) throw_vtk_short();
-    for (std::size_t i = 0; i < tuples * size; ++i) use(value(type));
+    require(tuples, size, type);
+    if (binary_) return with_type(type, [&](auto zero) { binary_array<decltype(zero)>(tuples * size, use); });
+    for (std::size_t i = 0; i < tuples * size; ++i) use(text_value(type));
   }
 
   std::vector<double> array(std::size_t count, Scalar type) {
@@ -102,21 +108,49 @@ class VtkBody {
   }
 
   void skip(std::size_t tuples, std::size_t size, Scalar type) {
-    array(tuples, size, type, [](double) {});
+    if (!binary_) return array(tuples, size, type, [](double) {});
+    line();
+    require(tuples, size, type);
+    rest_.remove_prefix(tuples * size * size_of(type));
   }
 
   void set_binary(bool binary) { binary_ = binary; }
   bool binary() const { return binary_; }
 
  private:
-  double value(Scalar type) {
-    if (!binary_) return text_value(type);
-    const std::size_t size = size_of(type);
-    char raw[8];
-    std::memcpy(raw, rest_.data(), size);  // array() has checked the size
-    rest_.remove_prefix(size);
-    std::reverse(raw, raw + size);  // binary files are big-endian
-    return load(raw, type);
+  /// Calls work with a number of the type.
+  template <class Work>
+  static void with_type(Scalar type, const Work& work) {
+    switch (type) {
+      case Scalar::Int8:
+        return work(std::int8_t{});
+      case Scalar::UInt8:
+        return work(std::uint8_t{});
+      case Scalar::Int16:
+        return work(std::int16_t{});
+      case Scalar::UInt16:
+        return work(std::uint16_t{});
+      case Scalar::Int32:
+        return work(std::int32_t{});
+      case Scalar::UInt32:
+        return work(std::uint32_t{});
+      case Scalar::Int64:
+        return work(std::int64_t{});
+      case Scalar::UInt64:
+        return work(std::uint64_t{});
+      case Scalar::Float:
+        return work(float{});
+      case Scalar::Double:
+        return work(double{});
+    }
+  }
+
+  /// Binary files are big-endian.
+  template <typename T, class Use>
+  void binary_array(std::size_t count, const Use& use) {
+    const char* from = rest_.data();
+    for (std::size_t i = 0; i < count; ++i, from += sizeof(T)) use(static_cast<double>(load_big<T>(from)));
+    rest_.remove_prefix(count * sizeof(T));
   }
 
   double text_value(Scalar type) {
@@ -138,7 +172,7 @@ class Decoder {
   explicit Decoder(std::string_view bytes) : body_(bytes) {}
 
   /// Ends: every turn takes a word at least.
-  pcl::PolygonMesh decode(Notes* notes) {
+  Shape decode() {
     header();
     for (std::string keyword = body_.keyword(); !keyword.empty(); keyword = body_.keyword()) {
       if (keyword == "points") {
@@ -151,11 +185,11 @@ class Decoder {
       } else if (keyword == "dimensions") {
         for (int k = 0; k < 3; ++k) body_.count();
       } else if (keyword == "polygons") {
-        cells([&](const std::vector<std::int32_t>& c) { append_polygon(c, triangles_); });
+        cells([&](const std::vector<std::int32_t>& c) { append_polygon(c, shape_.triangles); });
       } else if (keyword == "triangle_strips") {
         cells([&](const std::vector<std::int32_t>& c) {
           for (std::size_t k = 2; k < c.size(); ++k)  // every other one is turned around
-            triangles_.push_back({c[k - 2 + k % 2], c[k - 1 - k % 2], c[k]});
+            shape_.triangles.push_back({c[k - 2 + k % 2], c[k - 1 - k % 2], c[k]});
         });
       } else if (keyword == "point_data" || keyword == "cell_data") {
         of_points_ = keyword == "point_data";
@@ -170,11 +204,11 @@ class Decoder {
         attribute(keyword);
       }
     }
-    check_corners(triangles_, positions_.size());
-    if (!colours_.empty() && colours_.size() != positions_.size())
-      throw IoError("it does not have a colour a point");
-    if (notes && !left_out_.empty()) notes->push_back("left out its point data" + left_out_);
-    return make_mesh(make_cloud(positions_, colours_), triangles_);
+    check_corners(shape_.triangles, size_of(shape_.points));
+    add_colours();
+    if (!left_out_.empty()) shape_.notes.push_back("left out its point data" + left_out_);
+    if (coloured_cells_) shape_.notes.push_back("left out the colours of its cells");
+    return std::move(shape_);
   }
 
  private:
@@ -204,17 +238,51 @@ class Decoder {
                     ", which have no points; save them as POLYDATA or UNSTRUCTURED_GRID");
   }
 
+  static Scalar kept_type(Scalar type) { return type == Scalar::Float ? type : Scalar::Double; }
+
+  /// There is room for colours, which come later.
   void points() {
-    if (!positions_.empty()) throw IoError("its VTK data has points twice");
+    if (size_of(shape_.points) > 0) throw IoError("its VTK data has points twice");
     const std::size_t count = body_.count();
     const Scalar type = body_.type();
-    Point p{};
-    int k = 0;
+    body_.require(count, 3, type);
+    const PointLayout layout({{"x", kept_type(type)}, {"y", kept_type(type)}, {"z", kept_type(type)}});
+    shape_.points.data.reserve(count * (layout.step() + kColour));
+    pcl::PCLPointCloud2 cloud = layout.cloud(0);
+    cloud.data = std::move(shape_.points.data);
+    cloud.data.resize(count * layout.step());
+    std::uint8_t* to = cloud.data.data();
     body_.array(count, 3, type, [&](double x) {
-      p[k] = x;
-      k = (k + 1) % 3;
-      if (k == 0) positions_.push_back(p);
+      const auto single = static_cast<float>(x);
+      if (type == Scalar::Float) {
+        std::memcpy(to, &single, sizeof single);
+        to += sizeof single;
+      } else {
+        std::memcpy(to, &x, sizeof x);
+        to += sizeof x;
+      }
     });
+    cloud.width = static_cast<std::uint32_t>(count);
+    cloud.row_step = cloud.width * cloud.point_step;
+    shape_.points = std::move(cloud);
+  }
+
+  /// Moves the points apart, from the last one on.
+  void add_colours() {
+    if (colours_.empty()) return;
+    if (colours_.size() != size_of(shape_.points)) throw IoError("it does not have a colour a point");
+    pcl::PCLPointCloud2& cloud = shape_.points;
+    const std::size_t step = cloud.point_step, wide = step + kColour;
+    cloud.fields.push_back(make_field("rgb", step, pcl::PCLPointField::FLOAT32));
+    cloud.data.resize(size_of(cloud) * wide);
+    for (std::size_t i = size_of(cloud); i-- > 0;) {
+      std::uint8_t* const to = cloud.data.data() + i * wide;
+      std::memmove(to, cloud.data.data() + i * step, step);
+      const std::uint8_t packed[kColour] = {colours_[i][2], colours_[i][1], colours_[i][0], 255};
+      std::memcpy(to + step, packed, kColour);
+    }
+    cloud.point_step = static_cast<std::uint32_t>(wide);
+    cloud.row_step = cloud.width * cloud.point_step;
   }
 
   /// Calls use(corners) for each. From version 5 on, their corners in a row and where each begins, and the
@@ -321,6 +389,7 @@ class Decoder {
 
   /// Unsigned bytes, once they are multiplied by `scale`; colours if there are three for a point at least.
   void colours(std::size_t size, Scalar type, double scale) {
+    coloured_cells_ |= !of_points_ && size >= 3;
     if (!of_points_ || size < 3 || !colours_.empty()) return body_.skip(*tuples_, size, type);
     Colour colour{};
     std::size_t k = 0;
@@ -333,19 +402,21 @@ class Decoder {
     });
   }
 
+  static constexpr std::size_t kColour = 4;
+
   VtkBody body_;
-  std::vector<Point> positions_;
+  Shape shape_{make_cloud({})};
   std::vector<Colour> colours_;
-  std::vector<Triangle> triangles_;
   bool offsets_ = false;               // are cells written as in version 5?
   std::optional<std::size_t> tuples_;  // of an attribute, once the attributes have begun
   bool of_points_ = false;             // or else of cells
-  std::string left_out_;               // names of point data
+  bool coloured_cells_ = false;
+  std::string left_out_;  // names of point data
 };
 
 }  // namespace
 
-pcl::PolygonMesh decode_vtk(std::string_view bytes, Notes* notes) { return Decoder(bytes).decode(notes); }
+Shape decode_vtk(std::string_view bytes) { return Decoder(bytes).decode(); }
 
 void encode_vtk(const pcl::PCLPointCloud2& vertices, const std::vector<Triangle>& triangles,
                 ByteWriter& out) {

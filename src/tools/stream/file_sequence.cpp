@@ -1,32 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <pcl/io/pcd_io.h>
-
 #include <array>
 #include <deque>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 #include "frame_source.h"
 #include "io/codecs.h"
 #include "io/files.h"
 #include "io/formats.h"
-#include "io/strict_pcd.h"
 #include "stream_error.h"
 
 namespace filmsticking::stream {
 namespace {
 
-/// Reads a file that passed the checks by PCL.
-Frame read_frame(const std::string& file) {
+Frame frame_of(io::Cloud cloud) {
   Frame frame;
-  Eigen::Vector4f origin = Eigen::Vector4f::Zero();
-  Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
-  int version = 0;
-  if (pcl::PCDReader().read(file, frame.cloud, origin, orientation, version) < 0)
-    throw StreamError("it cannot be read");
-  const Eigen::Quaterniond rotation = orientation.cast<double>();
-  if (rotation.norm() > 0.5 && rotation.norm() < 2 && origin.allFinite())  // else it is no pose
-    frame.sensor_pose = Pose(Eigen::Translation3d(origin.head<3>().cast<double>()) * rotation.normalized());
+  frame.cloud = std::move(cloud.points);
+  const std::array<double, 4> turn = cloud.orientation.value_or(std::array<double, 4>{1, 0, 0, 0});
+  const Eigen::Quaterniond rotation(turn[0], turn[1], turn[2], turn[3]);
+  if (cloud.viewpoint && rotation.norm() > 0.5 && rotation.norm() < 2)  // else it is no pose
+    frame.sensor_pose =
+        Pose(Eigen::Translation3d(Eigen::Vector3d(cloud.viewpoint->data())) * rotation.normalized());
   return frame;
 }
 
@@ -44,19 +39,14 @@ Pose pose_of(const std::array<double, 16>& matrix) {
 std::vector<Frame> read_frames(const std::string& file) {
   const std::string bytes = io::read_file(file), format = io::detect_format(bytes);
   std::vector<Frame> frames;
-  if (format == "pcd" || io::extension_of(file) == ".pcd") {
-    io::check_pcd(bytes);
-    io::decode_pcd(bytes);  // refuses compressed data that are broken
-    frames.push_back(read_frame(file));
-  } else if (format == "ptx") {
+  if (format == "ptx") {
     for (io::Station& station : io::decode_stations(bytes)) {
       frames.emplace_back();
       frames.back().cloud = std::move(station.points);
       frames.back().sensor_pose = pose_of(station.pose);
     }
   } else {
-    frames.emplace_back();
-    frames.back().cloud = io::decode_any(bytes, io::extension_of(file)).points;
+    frames.push_back(frame_of(io::decode_any(bytes, io::extension_of(file))));
   }
   return frames;
 }

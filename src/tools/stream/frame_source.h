@@ -25,8 +25,8 @@ class FrameSource {
   virtual std::optional<std::size_t> size() const { return std::nullopt; }
 };
 
-/// The files in the order given, one read at a time: PCD, which must follow the format to the letter, or any
-/// format of io::read_cloud(). Every station of a PTX file is a frame with its pose. A number at the end of a
+/// The files in the order given, one read at a time, of any format of io::read_cloud(). VIEWPOINT of a PCD
+/// file is its frame's pose. Every station of a PTX file is a frame with its pose. A number at the end of a
 /// file's name ("scan_12.5.pcd") is the frame's time.
 std::unique_ptr<FrameSource> file_sequence(std::vector<std::string> files);
 

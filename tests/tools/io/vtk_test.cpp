@@ -107,7 +107,7 @@ TEST(Vtk, IsWrittenInBinaryOfAVersionThatAllReadersKnow) {
   grey.colours.clear();
   cloud.triangles.clear();
   for (const Model& model : {square(), grey, cloud})
-    expect_same(io::decode_vtk(io::encode_mesh("vtk", model)), model);
+    expect_same(io::decode_mesh("vtk", io::encode_mesh("vtk", model)), model);
 }
 
 TEST(Vtk, IsReadAsVtkWritesIt) {
@@ -116,8 +116,8 @@ TEST(Vtk, IsReadAsVtkWritesIt) {
   for (const bool binary : {false, true})
     for (const int version : kVersions) {
       SCOPED_TRACE((binary ? "binary " : "text ") + std::to_string(version));
-      expect_same(io::decode_vtk(written(polydata(square()), binary, version)), square());
-      expect_same(io::decode_vtk(written(laden(), binary, version)), laden_model);
+      expect_same(io::decode_mesh("vtk", written(polydata(square()), binary, version)), square());
+      expect_same(io::decode_mesh("vtk", written(laden(), binary, version)), laden_model);
     }
 }
 
@@ -125,10 +125,10 @@ TEST(Vtk, AFileThatEndsTooSoonIsRefusedOrLosesWholeParts) {
   for (const bool binary : {false, true})
     for (const int version : kVersions) {
       const std::string bytes = written(laden(), binary, version);
-      const Model whole = io::decode_vtk(bytes);
+      const Model whole = io::decode_mesh("vtk", bytes);
       std::size_t read = 0;
       for (std::size_t size = 0; size < bytes.size(); ++size) try {
-          const Model part = io::decode_vtk(std::string_view(bytes).substr(0, size));
+          const Model part = io::decode_mesh("vtk", std::string_view(bytes).substr(0, size));
           ++read;
           EXPECT_TRUE(part.positions.empty() || part.positions.size() == whole.positions.size()) << size;
           if (!part.colours.empty()) {
@@ -154,7 +154,7 @@ TEST(Vtk, AByteThatIsAnotherIsRefusedOrMakesNoCornerThatIsNoPoint) {
           std::string broken = bytes;
           broken[i] = other;
           try {
-            const Model model = io::decode_vtk(broken);
+            const Model model = io::decode_mesh("vtk", broken);
             for (const Triangle& triangle : model.triangles)
               for (const std::int32_t corner : triangle)
                 ASSERT_TRUE(corner >= 0 && static_cast<std::size_t>(corner) < model.positions.size()) << i;
@@ -204,7 +204,7 @@ TEST(Vtk, WhatIsWrongIsSaid) {
       {header + points + "FIELD data 2\na 1 1 float\n0\n", "it is not a whole VTK file"},
   };
   for (const auto& [bytes, message] : files) try {
-      io::decode_vtk(bytes);
+      io::decode_mesh("vtk", bytes);
       ADD_FAILURE() << "was read: " << bytes;
     } catch (const IoError& error) {
       EXPECT_STREQ(error.what(), message) << bytes;
@@ -212,7 +212,8 @@ TEST(Vtk, WhatIsWrongIsSaid) {
 }
 
 TEST(Vtk, OldFilesAreReadToo) {
-  const Model model = io::decode_vtk(
+  const Model model = io::decode_mesh(
+      "vtk",
       "# vtk DataFile Version 2.0\r\nby hand\r\nascii\r\ndataset polydata\r\nPoints 4 Float 0 0 0 1 0 0 0 1 "
       "0 0 0 1\r\n"
       "polygons 2 8\r\n3 0 1 2 3 0\r\n2 3\r\npoint_data 4\r\nscalars c unsigned_char 4\r\nlookup_table "
