@@ -111,15 +111,6 @@ PositionFields::PositionFields(const pcl::PCLPointCloud2& cloud) {
   }
 }
 
-Point PositionFields::load(const std::uint8_t* point) const {
-  Point position;
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::uint8_t* value = point + offsets_[axis];
-    position[axis] = single_ ? double{io::load<float>(value)} : io::load<double>(value);
-  }
-  return position;
-}
-
 void PositionFields::store(const Point& position, std::uint8_t* point) const {
   for (int axis = 0; axis < 3; ++axis) {
     const float rounded = single_ ? static_cast<float>(position[axis]) : 0;

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "bytes.h"
 #include "filmsticking/types.h"
 
 namespace filmsticking::io {
@@ -56,7 +57,14 @@ class PositionFields {
   bool single() const { return single_; }
 
   /// The position in double precision, which changes no value.
-  Point load(const std::uint8_t* point) const;
+  Point load(const std::uint8_t* point) const {
+    Point position;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::uint8_t* value = point + offsets_[axis];
+      position[axis] = single_ ? double{io::load<float>(value)} : io::load<double>(value);
+    }
+    return position;
+  }
 
   /// Rounds the position to the fields' type.
   void store(const Point& position, std::uint8_t* point) const;

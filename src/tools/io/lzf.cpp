@@ -14,46 +14,52 @@ namespace {
 }  // namespace
 
 const char* LzfReader::take(std::size_t size) {
-  if (end_ - begin_ < size && begin_ > kWindow) {
-    const std::size_t first = begin_ - kWindow;  // copies may reach there
-    std::memmove(buffer_.data(), buffer_.data() + first, end_ - first);
-    begin_ -= first, end_ -= first;
+  if (end_ - begin_ < size) {
+    if (begin_ > kWindow) {
+      const std::size_t first = begin_ - kWindow;  // copies may reach there
+      std::memmove(buffer_.data(), buffer_.data() + first, end_ - first);
+      begin_ -= first, end_ -= first;
+    }
+    unpack(begin_ + size);
   }
-  while (end_ - begin_ < size) unpack_run();
   const char* const piece = buffer_.data() + begin_;
   begin_ += size;
   return piece;
 }
 
-/// Bytes as they are, or a copy of earlier ones.
-void LzfReader::unpack_run() {
-  const auto next = [&] {
-    if (rest_.empty()) throw_broken();
-    const auto byte = static_cast<unsigned char>(rest_[0]);
-    rest_.remove_prefix(1);
-    return std::size_t{byte};
-  };
+/// Runs of bytes as they are, and copies of earlier ones, until `end_` is at least `wanted`.
+void LzfReader::unpack(std::size_t wanted) {
   constexpr std::size_t kLiterals = 32, kLong = 7;
-  const std::size_t control = next();
-  if (control < kLiterals) {
-    if (control + 1 > rest_.size()) throw_broken();
-    std::memcpy(buffer_.data() + end_, rest_.data(), control + 1);
-    rest_.remove_prefix(control + 1);
-    end_ += control + 1;
-    return;
+  const auto* from = reinterpret_cast<const unsigned char*>(rest_.data());
+  const auto* const last = from + rest_.size();
+  char* const begin = buffer_.data();
+  char* to = begin + end_;
+  while (to < begin + wanted) {
+    if (from == last) throw_broken();
+    const std::size_t control = *from++;
+    if (control < kLiterals) {
+      const std::size_t length = control + 1;
+      const auto left = static_cast<std::size_t>(last - from);
+      if (length > left) throw_broken();
+      std::memcpy(to, from, left < kLiterals ? length : kLiterals);  // a fixed length is faster
+      from += length, to += length;
+      continue;
+    }
+    std::size_t length = control / kLiterals;
+    if (last - from < (length == kLong ? 2 : 1)) throw_broken();
+    if (length == kLong) length += *from++;
+    length += 2;
+    const std::size_t back = (control % kLiterals) * 256 + *from++ + 1;
+    if (back > static_cast<std::size_t>(to - begin)) throw_broken();
+    if (back >= length) {
+      std::memcpy(to, to - back, length);
+    } else {
+      for (std::size_t k = 0; k < length; ++k) to[k] = *(to + k - back);  // it repeats itself
+    }
+    to += length;
   }
-  std::size_t length = control / kLiterals;
-  if (length == kLong) length += next();
-  length += 2;
-  const std::size_t back = (control % kLiterals) * 256 + next() + 1;
-  if (back > end_) throw_broken();
-  char* const to = buffer_.data() + end_;
-  if (back >= length) {
-    std::memcpy(to, to - back, length);
-  } else {
-    for (std::size_t k = 0; k < length; ++k) to[k] = to[k - back];  // it repeats itself
-  }
-  end_ += length;
+  rest_.remove_prefix(static_cast<std::size_t>(reinterpret_cast<const char*>(from) - rest_.data()));
+  end_ = static_cast<std::size_t>(to - begin);
 }
 
 }  // namespace filmsticking::io

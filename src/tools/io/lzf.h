@@ -13,7 +13,7 @@ class LzfReader {
  public:
   static constexpr std::size_t kMost = 1 << 18;  ///< bytes of a piece
 
-  explicit LzfReader(std::string_view packed) : rest_(packed), buffer_(kWindow + kMost + kRun) {}
+  explicit LzfReader(std::string_view packed) : rest_(packed), buffer_(kWindow + kMost + 2 * kRun) {}
 
   /// The next `size` bytes, up to kMost; they are valid until the next call. Throws IoError if there are
   /// fewer.
@@ -23,9 +23,9 @@ class LzfReader {
   bool at_end() const { return rest_.empty() && begin_ == end_; }
 
  private:
-  void unpack_run();
+  void unpack(std::size_t wanted);
 
-  static constexpr std::size_t kWindow = 1 << 13, kRun = 264;  // how far back, and how long a copy may be
+  static constexpr std::size_t kWindow = 1 << 13, kRun = 264;  // how far back, and how long a run may be
 
   std::string_view rest_;
   std::vector<char> buffer_;

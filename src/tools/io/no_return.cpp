@@ -20,7 +20,8 @@ bool is_finite(const Point& p) {
 }
 
 bool is_missing(double z) {
-  return std::find(std::begin(kMissing), std::end(kMissing), z) != std::end(kMissing);
+  constexpr double kHighest = -999;
+  return z <= kHighest && std::find(std::begin(kMissing), std::end(kMissing), z) != std::end(kMissing);
 }
 
 double ranked(std::vector<double>& values, double share) {

@@ -29,7 +29,8 @@ template <typename T>
 class Corners {
  public:
   /// `most`: a bound on the number of vertices; memory of those that there are not is never touched.
-  explicit Corners(std::size_t most) : slots_(kFirst, kFree) {
+  explicit Corners(std::size_t most) : newest_(kNewest, kFree), slots_(kFirst, kFree) {
+    while (slots_.size() < most / 3) slots_.resize(2 * slots_.size(), kFree);  // most often there are a sixth
     constexpr Scalar type = sizeof(T) == sizeof(float) ? Scalar::Float : Scalar::Double;
     cloud_ = PointLayout({{"x", type}, {"y", type}, {"z", type}}).cloud(0);
     cloud_.data.reserve(most * kStep);
@@ -39,13 +40,16 @@ class Corners {
   std::int32_t add(const std::array<T, 3>& place) {
     if (!std::all_of(place.begin(), place.end(), [](T x) { return std::isfinite(x); }))
       throw IoError("a corner in it is not finite");
+    const std::size_t key = hash(place);
+    std::int32_t& newest = newest_[key % kNewest];
+    if (newest != kFree && this->place(newest) == place) return newest;
     if (2 * count_ >= slots_.size()) grow();
-    std::int32_t& slot = slot_of(place);
-    if (slot != kFree) return slot;
+    std::int32_t& slot = slot_of(place, key);
+    if (slot != kFree) return newest = slot;
     if (count_ >= INT32_MAX) throw IoError("it has too many corners");
     const auto* const bytes = reinterpret_cast<const std::uint8_t*>(place.data());
     cloud_.data.insert(cloud_.data.end(), bytes, bytes + kStep);
-    return slot = static_cast<std::int32_t>(count_++);
+    return newest = slot = static_cast<std::int32_t>(count_++);
   }
 
   pcl::PCLPointCloud2 take() {
@@ -55,7 +59,7 @@ class Corners {
   }
 
  private:
-  static constexpr std::size_t kStep = 3 * sizeof(T), kFirst = 1 << 10;
+  static constexpr std::size_t kStep = 3 * sizeof(T), kFirst = 1 << 10, kNewest = 1 << 14;
   static constexpr std::int32_t kFree = -1;
 
   std::array<T, 3> place(std::int32_t vertex) const {
@@ -72,8 +76,8 @@ class Corners {
     return h;
   }
 
-  std::int32_t& slot_of(const std::array<T, 3>& wanted) {
-    std::size_t at = hash(wanted) & (slots_.size() - 1);
+  std::int32_t& slot_of(const std::array<T, 3>& wanted, std::size_t key) {
+    std::size_t at = key & (slots_.size() - 1);
     while (slots_[at] != kFree && place(slots_[at]) != wanted) at = (at + 1) & (slots_.size() - 1);
     return slots_[at];
   }
@@ -82,12 +86,14 @@ class Corners {
     slots_.assign(2 * slots_.size(), kFree);
     for (std::size_t i = 0; i < count_; ++i) {
       const auto vertex = static_cast<std::int32_t>(i);
-      slot_of(place(vertex)) = vertex;
+      const std::array<T, 3> at = place(vertex);
+      slot_of(at, hash(at)) = vertex;
     }
   }
 
   pcl::PCLPointCloud2 cloud_;
-  std::vector<std::int32_t> slots_;  // vertices, by the hash of their places
+  std::vector<std::int32_t> newest_;  // a few vertices by the hash of their places, in the processor's cache
+  std::vector<std::int32_t> slots_;   // all of them
   std::size_t count_ = 0;
 };
 
