@@ -9,6 +9,7 @@
 
 #include "bytes.h"
 #include "io_error.h"
+#include "large_pages.h"
 
 namespace filmsticking::io {
 namespace {
@@ -189,6 +190,8 @@ pcl::PCLPointCloud2 make_rows(std::vector<pcl::PCLPointField> fields, std::size_
   cloud.point_step = static_cast<std::uint32_t>(point_step);
   cloud.row_step = cloud.width * cloud.point_step;
   cloud.is_dense = true;
+  cloud.data.reserve(points * point_step);
+  prefer_large_pages(cloud.data.data(), points * point_step);
   cloud.data.resize(points * point_step);
   return cloud;
 }

@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "io_error.h"
+#include "large_pages.h"
 
 namespace fs = std::filesystem;
 
@@ -139,7 +140,10 @@ std::string read_file(const std::string& path, std::int64_t most) {
   std::error_code error;
   std::ifstream file(path, std::ios::binary);
   std::string bytes;
-  bytes.resize(fs::file_size(path, error));
+  const std::uintmax_t size = fs::file_size(path, error);
+  bytes.reserve(size);
+  prefer_large_pages(bytes.data(), bytes.capacity());
+  bytes.resize(size);
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (error || !file) throw IoError("it cannot be read");
   return bytes;

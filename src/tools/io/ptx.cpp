@@ -22,16 +22,24 @@ constexpr std::size_t kHeaderWords[] = {1, 1, 3, 3, 3, 3, 4, 4, 4, 4};
 struct Scan {
   std::size_t columns = 0, rows = 0;
   Matrix pose{};
-  std::vector<Point> points;  // in the scanner's coordinates; not finite without a return
-  std::vector<Colour> colours;
+  bool coloured = false;  // as far as its points are read
+
+  std::size_t points() const { return columns * rows; }
+};
+
+/// A point in the scanner's coordinates; not finite without a return.
+struct Return {
+  Point place{};
+  float intensity = 0;
+  Colour colour{};
 };
 
 class PtxFile {
  public:
   explicit PtxFile(std::string_view bytes) : text_(plain_text(bytes, buffer_)), lines_(text_) {}
 
-  /// The next station; false at the end.
-  bool next(Scan& scan) {
+  /// The header of the next station; false at the end.
+  bool header(Scan& scan) {
     scan = {};
     if (!line()) return false;
     scan.columns = count();
@@ -49,8 +57,27 @@ class PtxFile {
       for (std::size_t k = 0; k < 4; ++k) scan.pose[4 * row + k] = values_[k];
     }
     turn(scan.pose);
-    points(scan);
     return true;
+  }
+
+  /// Passes the lines of the points; whether all have a colour.
+  void skip_points(Scan& scan) {
+    scan.coloured = true;
+    for (std::size_t i = 0; i < scan.points(); ++i) scan.coloured &= point_line() == 7;
+  }
+
+  /// Calls use(const Return&) for each point.
+  template <class Use>
+  void points(const Scan& scan, const Use& use) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 0; i < scan.points(); ++i) {
+      numbers(point_line());
+      Return point{{values_[0], values_[1], values_[2]}};
+      if (point.place == Point{}) point.place = {kNone, kNone, kNone}, ++without_return_;
+      if (values_.size() > 3) point.intensity = to_float(values_[3]);
+      if (scan.coloured) point.colour = colour();
+      use(point);
+    }
   }
 
   std::size_t without_return() const { return without_return_; }
@@ -104,23 +131,12 @@ class PtxFile {
         for (std::size_t k = i + 1; k < 4; ++k) std::swap(m[4 * i + k], m[4 * k + i]);
   }
 
-  void points(Scan& scan) {
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    const std::size_t all = scan.columns * scan.rows;
-    bool coloured = true;
-    for (std::size_t i = 0; i < all; ++i) {
-      if (!line()) throw_short();
-      if (words_.size() != 4 && words_.size() != 7 && words_.size() != 3)
-        refuse("has " + std::to_string(words_.size()) + " numbers; a point of PTX has 4, or 7 with a colour");
-      numbers(words_.size());
-      Point p{values_[0], values_[1], values_[2]};
-      const bool none = p == Point{};
-      without_return_ += none ? 1 : 0;
-      scan.points.push_back(none ? Point{kNone, kNone, kNone} : p);
-      coloured = coloured && values_.size() == 7;
-      if (coloured) scan.colours.push_back(colour());
-    }
-    if (!coloured) scan.colours.clear();
+  /// Number of words of the next point.
+  std::size_t point_line() {
+    if (!line()) throw_short();
+    if (words_.size() != 4 && words_.size() != 7 && words_.size() != 3)
+      refuse("has " + std::to_string(words_.size()) + " numbers; a point of PTX has 4, or 7 with a colour");
+    return words_.size();
   }
 
   Colour colour() const {
@@ -150,6 +166,69 @@ Point moved(const Point& p, const Matrix& m) {
 
 Point place_of(const Matrix& m) { return {m[3], m[7], m[11]}; }
 
+/// The stations, so that memory for their points is taken once.
+std::vector<Scan> survey(std::string_view bytes) {
+  PtxFile file(bytes);
+  std::vector<Scan> scans;
+  for (Scan scan; file.header(scan); scans.push_back(scan)) file.skip_points(scan);
+  if (scans.empty()) throw IoError("it is not a PTX file");
+  return scans;
+}
+
+/// Where a point's values go.
+class PointWriter {
+ public:
+  PointWriter(bool coloured, bool stations, std::size_t points)
+      : layout_(columns(coloured, stations)), cloud_(layout_.cloud(points)), to_(cloud_.data.data()) {}
+
+  void add(const Return& point, const Point* station) {
+    std::size_t column = 0;
+    for (const double x : point.place) put(x, column++);
+    put(point.intensity, column++);
+    if (station)
+      for (const double x : *station) put(x, column++);
+    for (std::size_t k = 0; column < columns_; ++k) put(point.colour[k], column++);
+    to_ += layout_.step();
+  }
+
+  pcl::PCLPointCloud2 take(Notes& notes) {
+    layout_.finish(cloud_, notes);
+    return std::move(cloud_);
+  }
+
+ private:
+  std::vector<Column> columns(bool coloured, bool stations) {
+    std::vector<Column> columns;
+    for (const char* name : {"x", "y", "z"}) columns.push_back({name, Scalar::Double});
+    columns.push_back({"intensity", Scalar::Float});
+    for (const char* name : kStationFields)
+      if (stations) columns.push_back({name, Scalar::Double});
+    for (const char* name : {"r", "g", "b"})
+      if (coloured) columns.push_back({name, Scalar::UInt8});
+    columns_ = columns.size();
+    return columns;
+  }
+
+  template <typename T>
+  void put(T value, std::size_t column) {
+    std::memcpy(to_ + layout_.offset(column), &value, sizeof value);
+  }
+
+  std::size_t columns_ = 0;
+  PointLayout layout_;
+  pcl::PCLPointCloud2 cloud_;
+  std::uint8_t* to_;
+};
+
+bool all_coloured(const std::vector<Scan>& scans) {
+  return std::all_of(scans.begin(), scans.end(), [](const Scan& scan) { return scan.coloured; });
+}
+
+bool some_coloured(const std::vector<Scan>& scans) {
+  return std::any_of(scans.begin(), scans.end(),
+                     [](const Scan& scan) { return scan.coloured && scan.points() > 0; });
+}
+
 }  // namespace
 
 bool is_ptx(std::string_view bytes) {
@@ -168,34 +247,42 @@ bool is_ptx(std::string_view bytes) {
 }
 
 Cloud decode_ptx(std::string_view bytes) {
-  PtxFile file(bytes);
-  std::vector<Point> points, stations;
-  std::vector<Colour> colours;
-  bool coloured = true;
+  std::vector<Scan> scans = survey(bytes);
+  const bool coloured = all_coloured(scans), lost = !coloured && some_coloured(scans);
   std::size_t count = 0;
-  for (Scan scan; file.next(scan); ++count) {
-    for (Point& p : scan.points) points.push_back(moved(p, scan.pose));
-    stations.resize(points.size(), place_of(scan.pose));
-    coloured = coloured && scan.colours.size() == scan.points.size();
-    if (coloured) colours.insert(colours.end(), scan.colours.begin(), scan.colours.end());
+  for (const Scan& scan : scans) count += scan.points();
+  PtxFile file(bytes);
+  PointWriter writer(coloured, true, count);
+  for (Scan& scan : scans) {
+    file.header(scan);
+    scan.coloured = coloured;
+    const Point station = place_of(scan.pose);
+    file.points(scan, [&](Return point) {
+      point.place = moved(point.place, scan.pose);
+      writer.add(point, &station);
+    });
   }
-  if (count == 0) throw IoError("it is not a PTX file");
-  if (!coloured) colours.clear();
   Cloud cloud;
-  cloud.points = with_stations(make_cloud(points, colours), stations);
-  if (count == 1 && !stations.empty()) cloud.viewpoint = stations[0];
-  cloud.notes.push_back("left out the intensities" +
-                        (file.without_return() > 0
-                             ? " and " + std::to_string(file.without_return()) + " points without a return"
-                             : std::string()));
+  cloud.points = writer.take(cloud.notes);
+  if (scans.size() == 1 && count > 0) cloud.viewpoint = place_of(scans[0].pose);
+  if (lost) cloud.notes.push_back("left out its colours, which not all points have");
+  if (file.without_return() > 0)
+    cloud.notes.push_back("left out " + std::to_string(file.without_return()) + " points without a return");
   return cloud;
 }
 
 std::vector<Station> decode_stations(std::string_view bytes) {
   PtxFile file(bytes);
   std::vector<Station> stations;
-  for (Scan scan; file.next(scan);) stations.push_back({make_cloud(scan.points, scan.colours), scan.pose});
-  if (stations.empty()) throw IoError("it is not a PTX file");
+  Notes notes;
+  for (Scan scan : survey(bytes)) {
+    const bool coloured = scan.coloured;
+    file.header(scan);
+    scan.coloured = coloured;
+    PointWriter writer(coloured, false, scan.points());
+    file.points(scan, [&](const Return& point) { writer.add(point, nullptr); });
+    stations.push_back({writer.take(notes), scan.pose});
+  }
   return stations;
 }
 

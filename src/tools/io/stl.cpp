@@ -12,6 +12,7 @@
 
 #include "codecs.h"
 #include "io_error.h"
+#include "large_pages.h"
 #include "text_scanner.h"
 #include "text_table.h"
 
@@ -30,10 +31,15 @@ class Corners {
  public:
   /// `most`: a bound on the number of vertices; memory of those that there are not is never touched.
   explicit Corners(std::size_t most) : newest_(kNewest, kFree), slots_(kFirst, kFree) {
-    while (slots_.size() < most / 3) slots_.resize(2 * slots_.size(), kFree);  // most often there are a sixth
+    std::size_t slots = kFirst;
+    while (slots < most / 3) slots *= 2;  // most often a sixth are vertices
+    slots_.reserve(slots);
+    prefer_large_pages(slots_.data(), slots * sizeof slots_[0]);
+    slots_.resize(slots, kFree);
     constexpr Scalar type = sizeof(T) == sizeof(float) ? Scalar::Float : Scalar::Double;
     cloud_ = PointLayout({{"x", type}, {"y", type}, {"z", type}}).cloud(0);
     cloud_.data.reserve(most * kStep);
+    prefer_large_pages(cloud_.data.data(), most * kStep);
   }
 
   /// The vertex at this place.

@@ -18,6 +18,7 @@
 
 #include "codecs.h"
 #include "io_error.h"
+#include "large_pages.h"
 #include "text_scanner.h"
 #include "vtk_polydata.h"
 
@@ -248,6 +249,7 @@ class Decoder {
     body_.require(count, 3, type);
     const PointLayout layout({{"x", kept_type(type)}, {"y", kept_type(type)}, {"z", kept_type(type)}});
     shape_.points.data.reserve(count * (layout.step() + kColour));
+    prefer_large_pages(shape_.points.data.data(), count * layout.step());
     pcl::PCLPointCloud2 cloud = layout.cloud(0);
     cloud.data = std::move(shape_.points.data);
     cloud.data.resize(count * layout.step());
