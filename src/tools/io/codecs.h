@@ -46,7 +46,8 @@ Shape decode_vtk(std::string_view bytes);
 Cloud decode_xyz(std::string_view bytes, const std::vector<std::string>& columns = {});
 
 /// The stations of a Leica PTX file, moved by their matrices, with intensities, and colours where all
-/// have them. Points without a return (0 0 0) are not finite. The fields of kStationFields have each point's station.
+/// have them. Points without a return (0 0 0) are not finite. The fields of kStationFields have each point's
+/// station.
 Cloud decode_ptx(std::string_view bytes);
 
 /// A station of a PTX file.

@@ -36,6 +36,12 @@ std::string plain_name(std::string_view name);
 /// colours and normals hold only where all three are there.
 Role role_of(std::string_view name);
 
+/// Which of the names of its role this is: those of a triple that belong together, as "nx ny nz", have the
+/// same number. What is smaller goes before others.
+std::size_t family_of(std::string_view name);
+
+constexpr std::size_t kFamilies = 14;  ///< most names of a role
+
 /// PCL's name of a column with this role: normal_x for nx.
 std::string field_name(Role role, const std::string& name);
 

@@ -16,16 +16,29 @@ constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 bool is_byte(const Column& column) { return column.type == Scalar::UInt8 && column.count == 1; }
 
-/// The first column of each role; a name that is PCL's own goes before others. Only single values have roles.
-std::vector<std::size_t> columns_by_role(const std::vector<Column>& columns) {
-  std::vector<std::size_t> found(static_cast<std::size_t>(Role::Other) + 1, kNone);
-  for (const bool exact : {true, false})
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      const Role role = columns[c].count == 1 ? role_of(columns[c].name) : Role::Other;
-      std::size_t& place = found[static_cast<std::size_t>(role)];
-      if (place == kNone && (!exact || field_name(role, columns[c].name) == columns[c].name)) place = c;
-    }
-  return found;
+/// The first column of this role, and of this family if one is asked for. Only single values have roles.
+std::size_t column_of(const std::vector<Column>& columns, Role role, std::size_t family = kNone) {
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (columns[c].count == 1 && role_of(columns[c].name) == role &&
+        (family == kNone || family_of(columns[c].name) == family))
+      return c;
+  return kNone;
+}
+
+/// The columns of three roles in a row: of names that belong together if there are such; or else the first
+/// ones.
+std::array<std::size_t, 3> triple_of(const std::vector<Column>& columns, Role first) {
+  const auto of_family = [&](std::size_t family) {
+    std::array<std::size_t, 3> triple{};
+    for (std::size_t k = 0; k < 3; ++k)
+      triple[k] = column_of(columns, static_cast<Role>(static_cast<std::size_t>(first) + k), family);
+    return triple;
+  };
+  for (std::size_t family = 0; family < kFamilies; ++family) {
+    const auto triple = of_family(family);
+    if (std::find(triple.begin(), triple.end(), kNone) == triple.end()) return triple;
+  }
+  return of_family(kNone);
 }
 
 /// Reverses the bytes of a number.
@@ -57,25 +70,21 @@ ColourScale colour_scale(double least, double most, bool real) {
 
 PointLayout::PointLayout(const std::vector<Column>& columns)
     : columns_(columns), offsets_(columns.size(), kNowhere) {
-  const std::vector<std::size_t> by_role = columns_by_role(columns);
-  const auto at = [&](Role role) { return by_role[static_cast<std::size_t>(role)]; };
-  const auto triple = [&](Role first) {
-    const auto k = static_cast<std::size_t>(first);
-    return Triple{by_role[k], by_role[k + 1], by_role[k + 2]};
-  };
   const auto complete = [](const Triple& all) {
     return std::find(all.begin(), all.end(), kNone) == all.end();
   };
-  const Triple axes = triple(Role::X);
+  const Triple axes = triple_of(columns, Role::X);
   if (!complete(axes)) throw IoError("its points have no x, y and z");
   add_positions(axes);
-  const Triple channels = triple(Role::Red), normals = triple(Role::NormalX);
+  const Triple channels = triple_of(columns, Role::Red), normals = triple_of(columns, Role::NormalX);
   const bool coloured = complete(channels);
+  const std::size_t alpha =
+      coloured ? column_of(columns, Role::Alpha, family_of(columns[channels[0]].name)) : kNone;
   for (std::size_t c = 0; c < columns.size(); ++c) {
     if (offsets_[c] != kNowhere || std::find(axes.begin(), axes.end(), c) != axes.end()) continue;
     const bool is_channel = std::find(channels.begin(), channels.end(), c) != channels.end();
-    if (coloured && (is_channel || c == at(Role::Alpha))) {
-      if (colour_ == kNowhere) add_colour(channels, at(Role::Alpha));
+    if (coloured && (is_channel || c == alpha)) {
+      if (colour_ == kNowhere) add_colour(channels, alpha);
       continue;
     }
     if (!coloured && role_of(columns[c].name) == Role::PackedColour && columns[c].count > 2 &&
@@ -106,6 +115,7 @@ void PointLayout::add(std::size_t column, const std::string& name) {
   const Column& c = columns_[column];
   const bool known = std::any_of(fields_.begin(), fields_.end(),
                                  [&](const pcl::PCLPointField& field) { return field.name == name; });
+  if (known && !name.empty()) twice_.push_back(name);
   if (known || name.empty()) return;
   offsets_[column] = add_field(name, c.type, c.count);
 }
@@ -164,6 +174,7 @@ void PointLayout::finish(pcl::PCLPointCloud2& cloud, Notes& notes) const {
   if (opaque_)
     for (std::size_t at = colour_ + 3; at < end; at += step_) data[at] = 255;
   if (!raw_channels_.empty()) convert_colours(cloud, notes);
+  for (const std::string& name : twice_) notes.push_back("left out the second '" + name + "'");
 }
 
 void PointLayout::convert_colours(pcl::PCLPointCloud2& cloud, Notes& notes) const {

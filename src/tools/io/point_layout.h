@@ -43,8 +43,9 @@ class PointLayout {
   /// Points of zeros. Throws IoError for too many.
   pcl::PCLPointCloud2 cloud(std::size_t points) const;
 
-  /// Converts coordinates and colours. Colours are whole bytes, 16 bits where one is above 255, or real
-  /// numbers where none is above 1. Others are left out, with a note.
+  /// Converts coordinates and colours. Columns whose names others have are left out, with a note. Colours are
+  /// whole bytes, 16 bits where one is above 255, or real numbers where none is above 1. Others are left out,
+  /// with a note.
   void finish(pcl::PCLPointCloud2& cloud, Notes& notes) const;
 
   /// Copies all points of a body whose points are the columns, one after the other, and calls finish().
@@ -71,6 +72,7 @@ class PointLayout {
 
   std::vector<Column> columns_;
   std::vector<std::size_t> offsets_;
+  std::vector<std::string> twice_;  // names of columns that are left out, as others have them
   std::vector<pcl::PCLPointField> fields_;
   std::size_t step_ = 0;
   std::array<Raw, 3> raw_axes_;    // set where coordinates are converted

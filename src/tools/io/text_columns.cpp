@@ -52,15 +52,30 @@ class Triples {
   const TableFacts& facts_;
 };
 
-/// Whether the column numbers the points, or is their time.
+/// Whether the column numbers the points, or is their time. Of a surface, x does not rise evenly from point
+/// to point.
 bool is_ahead(const TableFacts& facts, std::size_t k) {
   constexpr double kTimes = 1e8;  // no coordinate in metres is as large; seconds since 1970 and GPS times are
   if (facts.rows < 3) return false;
   const ColumnFacts& column = facts.columns[k];
   const bool others_smaller = facts.columns[k + 1].most < kTimes && facts.columns[k + 2].most < kTimes;
   if (column.rises && column.least >= kTimes && others_smaller) return true;
-  return column.whole && (column.counts || (column.strictly && facts.rows > 2 &&
-                                            !facts.columns[k + 1].whole && !facts.columns[k + 2].whole));
+  const bool fractions = !facts.columns[k + 1].whole && !facts.columns[k + 2].whole;
+  // With x y z r g b, the third number behind would be red.
+  if (fractions && facts.columns[k + 3].whole && Triples(facts).colours(k + 3)) return false;
+  if (!column.whole) return column.even;
+  return column.counts || (column.strictly && fractions);
+}
+
+/// Whether two columns are the row and the column of a grid: whole numbers, of which one ends where the other
+/// begins anew, ahead of fractions.
+bool are_cell(const TableFacts& facts, std::size_t k) {
+  if (k + 5 > facts.columns.size() || facts.rows < 3) return false;
+  const auto whole = [&](std::size_t c) { return !facts.columns[c].text && facts.columns[c].whole; };
+  const auto fraction = [&](std::size_t c) { return !facts.columns[c].text && !facts.columns[c].whole; };
+  return whole(k) && whole(k + 1) && facts.columns[k].least >= 0 && facts.columns[k + 1].least >= 0 &&
+         (facts.columns[k].rises || facts.columns[k + 1].rises) && fraction(k + 2) && fraction(k + 3) &&
+         fraction(k + 4);
 }
 
 void name(std::vector<std::string>& names, std::size_t at, const char* const (&triple)[3]) {
@@ -78,7 +93,7 @@ std::string range_text(std::size_t begin, std::size_t end) {
 void ColumnFacts::add(double value, std::string_view word, bool first) {
   digits = std::max(digits, significant_digits(word));
   if (std::isnan(value)) {
-    whole = counts = strictly = false;
+    whole = counts = strictly = even = false;
     return;
   }
   whole = whole && std::floor(value) == value;
@@ -87,6 +102,9 @@ void ColumnFacts::add(double value, std::string_view word, bool first) {
     rises = rises && value >= last;
     strictly = strictly && value > last;
     counts = counts && value == last + 1;
+    constexpr double kUneven = 1e-3, kRounding = 1e-9;
+    if (step == 0) step = value - last;
+    even = even && step > 0 && std::abs(value - last - step) <= kUneven * step + kRounding * std::abs(value);
   }
   least = std::min(least, value);
   most = std::max(most, value);
@@ -118,7 +136,12 @@ std::vector<std::string> guessed_columns(const TableFacts& facts, bool counted) 
     while (first < names.size() && facts.columns[first].text) ++first;
   };
   skip_text();
-  if (numbers_behind(first) >= 4 && first + 3 < names.size() && is_ahead(facts, first)) ++first;
+  if (are_cell(facts, first)) first += 2;
+  while (numbers_behind(first) >= 4 && first + 3 < names.size() && is_ahead(facts, first)) {
+    ++first;
+    if (!facts.columns[first].text) break;  // a second number only behind a word
+    skip_text();
+  }
   skip_text();
   if (first + 3 > names.size() || facts.columns[first + 1].text || facts.columns[first + 2].text)
     throw IoError("a line has fewer than three numbers side by side, and a point needs x, y and z");

@@ -18,10 +18,11 @@ struct ColumnFacts {
   bool rises = true;     ///< none is smaller than the one before
   bool strictly = true;  ///< each is larger than the one before
   bool counts = true;    ///< each is one more than the one before
+  bool even = true;      ///< each is as much more than the one before as the second than the first
   int digits = 0;        ///< most significant digits of a word
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
-  double last = 0;
+  double last = 0, step = 0;  ///< the last one, and the second less the first
 
   void add(double value, std::string_view word, bool first);
 };

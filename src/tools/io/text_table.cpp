@@ -61,6 +61,20 @@ void each_chunk(std::string_view line, const Use& use) {
   }
 }
 
+/// Digits in groups of three, as in "1 234 567,8".
+bool is_grouped(std::string_view field) {
+  if (!field.empty() && (field[0] == '-' || field[0] == '+')) field.remove_prefix(1);
+  field = field.substr(0, field.find_first_of(".,"));
+  std::size_t group = field.find(' ');
+  if (group < 1 || group > 3) return false;
+  for (std::size_t begin = 0; begin < field.size(); begin += group + 1, group = 3) {
+    const std::string_view digits = field.substr(begin, group);
+    if (digits.size() != group || !std::all_of(digits.begin(), digits.end(), is_digit)) return false;
+    if (begin + group < field.size() && field[begin + group] != ' ') return false;
+  }
+  return true;
+}
+
 /// What a sample of lines with numbers has between them.
 struct Evidence {
   std::size_t lines = 0, semicolons = 0, tabs = 0, commas = 0;  // lines with two of them at least
@@ -73,6 +87,7 @@ struct Evidence {
   std::size_t fewest_words = std::numeric_limits<std::size_t>::max();
   bool has_comma = false;
   bool quoted_words = false;  // commas between quotes, as in "0,5","1,5"
+  bool groups = false;        // "1 234 567" between other separators
 
   void add(std::string_view line);
 };
@@ -111,6 +126,7 @@ void Evidence::add(std::string_view line) {
       const std::string_view field = trimmed(line.substr(0, end), kAround);
       const std::size_t blank = field.find_first_of(" \t");
       if (blank != std::string_view::npos && number_of(field.substr(0, blank))) inner_blanks = true;
+      groups |= blank != std::string_view::npos && is_grouped(field);
       if (end == std::string_view::npos) return;
       line.remove_prefix(end + 1);
     }
@@ -140,6 +156,8 @@ TextStyle chosen(const Evidence& seen) {
   if (seen.has_comma && seen.thousands && seen.fewest_words >= 3)
     refuse_commas("there is a number like 1,234.5");
   if (seen.both_in_word && seen.fewest_words >= 3) refuse_commas("there is a number like 1.234,5");
+  if (seen.groups && most_semicolons)
+    throw IoError("there is a number like 1 234 567; write numbers without blanks between their digits");
   const bool decimal_commas = seen.has_comma && !seen.points && seen.decimal_words && seen.fewest_words >= 3;
   const bool separating_commas = seen.has_comma && !decimal_commas;
   if (separating_commas && !seen.points && seen.leading_zeros && !most_semicolons)
@@ -241,10 +259,21 @@ bool is_comment(std::string_view line) {
          line.substr(begin, 2) == "//";
 }
 
+namespace {
+
+/// "#ff8000", with alpha or without.
+bool is_web_colour(std::string_view word) {
+  word = word.substr(0, word.find_first_of(" \t,;\"\r"));
+  return (word.size() == 7 || word.size() == 9) &&
+         word.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string_view::npos;
+}
+
+}  // namespace
+
 std::string_view without_comment(std::string_view line) {
   for (std::size_t at = 0; at < line.size(); ++at) {
     if (line[at] != '#' && line[at] != '/') continue;
-    const bool mark = line[at] == '#' || line.substr(at, 2) == "//";
+    const bool mark = (line[at] == '#' && !is_web_colour(line.substr(at))) || line.substr(at, 2) == "//";
     const bool begins_word =
         at == 0 || std::string_view(" \t,;").find(line[at - 1]) != std::string_view::npos;
     if (mark && begins_word) return line.substr(0, at);

@@ -77,14 +77,16 @@ Names names_of(std::string_view line, const TextStyle& style) {
 /// The first pass.
 class Survey {
  public:
-  Survey(std::string_view text, const TextStyle& style, std::size_t named)
-      : text_(text), style_(style), named_(named) {}
+  /// `headline`: the number of a line that is no point; 0: none.
+  Survey(std::string_view text, const TextStyle& style, std::size_t named, std::size_t headline = 0)
+      : text_(text), style_(style), named_(named), headline_(headline) {}
 
   /// Throws IoError for a line that does not fit the others.
   void run() {
     Lines lines(text_);
     for (std::string_view line; lines.next(line);) {
       number_ = lines.number();
+      if (number_ == headline_) continue;
       if (is_comment(line)) {
         if (facts_.rows == 0) consider(line, true);
       } else {
@@ -97,6 +99,15 @@ class Survey {
   }
 
   const TableFacts& facts() const { return facts_; }
+
+  /// The line of the first point, if it has whole numbers alone, of which the first is the number of the
+  /// others, which have fractions: as TetGen writes "600 3 0 0" ahead. 0 if not.
+  std::size_t headline() const {
+    const bool fractions = std::any_of(facts_.columns.begin(), facts_.columns.end(),
+                                       [](const ColumnFacts& c) { return !c.text && !c.whole; });
+    const bool numbers_them = first_whole_ && first_count_ + 1 == static_cast<double>(facts_.rows);
+    return numbers_them && fractions && facts_.rows > 3 && !counted_ ? first_line_ : 0;
+  }
   const Names& header() const { return header_; }
   bool has_header() const { return header_.complete(); }
   bool has_other_header() const { return other_header_; }
@@ -106,8 +117,8 @@ class Survey {
 
   /// Whether the line, in words, is a point; for the second pass.
   bool is_point(std::string_view line, std::size_t number, const std::vector<std::string_view>& words) const {
-    return number >= first_line_ && words.size() >= facts_.columns.size() && number < trailer_ &&
-           line != header_line_;
+    return number >= first_line_ && number != headline_ && words.size() >= facts_.columns.size() &&
+           number < trailer_ && line != header_line_;
   }
 
  private:
@@ -121,6 +132,11 @@ class Survey {
     }
     if (comment) return;
     if (names.x && names.y) refuse(number_, "names columns x and y, but no z; a point needs all three");
+    const auto has = [&](const char* whole, const char* part) {
+      return std::any_of(names.names.begin(), names.names.end(),
+                         [&](const std::string& name) { return name == whole || name == part; });
+    };
+    degrees_ |= has("latitude", "lat") && (has("longitude", "lon") || has("lng", "long"));
     other_header_ |= names.names.size() >= 3;
   }
 
@@ -149,6 +165,10 @@ class Survey {
     first_line_ = number_;
     if (words_.size() > kMostColumns)
       refuse(number_, "has " + numbered(words_.size(), "word") + "; write one point a line");
+    if (degrees_ && named_ == 0)
+      refuse(number_,
+             "is behind a header of latitudes and longitudes; project them to metres, or name the "
+             "columns with --columns");
     if (header_is_comment_ && header_.names.size() != words_.size() && !header_.list) header_ = {};
     std::size_t columns = words_.size();
     if (header_.complete() && header_.names.size() > columns && header_.names.size() != columns)
@@ -201,6 +221,10 @@ class Survey {
   }
 
   void add_row() {
+    if (facts_.rows == 0) {
+      first_count_ = values_[0];
+      first_whole_ = std::all_of(values_.begin(), values_.end(), [](double x) { return std::floor(x) == x; });
+    }
     facts_.add(values_, words_);
     ++block_rows_;
   }
@@ -245,10 +269,13 @@ class Survey {
   std::size_t bad_word_ = 0;
   TableFacts facts_;
   Names header_;
-  bool header_is_comment_ = false, other_header_ = false;
+  bool header_is_comment_ = false, other_header_ = false, degrees_ = false;
   std::string_view header_line_;
   std::size_t number_ = 0, first_line_ = 0, trailer_ = kNone;
   bool counted_ = false, ragged_ = false, colmap_ = false;
+  std::size_t headline_;
+  double first_count_ = 0;    // of the first point: its first number
+  bool first_whole_ = false;  // and whether all are whole
   std::size_t block_line_ = 0, block_rows_ = 0;
   long long block_count_ = 0;
 };
@@ -272,7 +299,7 @@ std::vector<std::string> chosen_columns(const Survey& survey, const std::vector<
     names.resize(facts.columns.size());
     for (std::size_t k = 0; k < names.size(); ++k) {
       const Role role = role_of(names[k]);
-      const bool position = role == Role::X || role == Role::Y || role == Role::Z;
+      const bool position = names[k] == "x" || names[k] == "y" || names[k] == "z";
       if (facts.columns[k].text && position) throw IoError("its column " + names[k] + " has no numbers");
       const bool of_colmap = survey.ragged() && names[k] == "error";  // of a point, not of the surface
       if (facts.columns[k].text || role == Role::Number || of_colmap) names[k].clear();
@@ -351,6 +378,10 @@ Cloud decode_xyz(std::string_view bytes, const std::vector<std::string>& columns
   const TextStyle style = style_of(text);
   Survey survey(text, style, columns.size());
   survey.run();
+  if (const std::size_t headline = survey.headline(); headline > 0) {
+    survey = Survey(text, style, columns.size(), headline);
+    survey.run();
+  }
   Cloud cloud;
   const std::vector<Column> typed_columns =
       typed(chosen_columns(survey, columns, cloud.notes), survey.facts());

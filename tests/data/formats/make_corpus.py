@@ -274,7 +274,7 @@ def ptx(station, matrix, table, columns=N // 20):
 
 def make_ptx():
     one = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
-    read("one.ptx", ptx((0, 0, 0), one, rows(P, C("0.5"))), fields="_vp_x,_vp_y,_vp_z", fields="intensity", writer="Leica Cyclone")
+    read("one.ptx", ptx((0, 0, 0), one, rows(P, C("0.5"))), fields="intensity,_vp_x,_vp_y,_vp_z", writer="Leica Cyclone")
     read("rgb.ptx", ptx((0, 0, 0), one, rows(P, C("0.5"), RGB)), 1, writer="Leica Cyclone")
     read("dos.ptx", ptx((0, 0, 0), one, rows(P, C("0.5"))).replace("\n", "\r\n"))
     read("ptx_named.xyz", ptx((0, 0, 0), one, rows(P, C("0.5"))))
