@@ -48,7 +48,8 @@ void take_notes(const std::string& file, io::Cloud& cloud, std::vector<std::stri
 io::Cloud read_input(const std::string& path, const CommandLine& command, std::vector<std::string>& notes) {
   const std::string name = shown(path, "standard input");
   return with_file(name, [&] {
-    const io::ReadOptions options{command.options.max_memory, command.from, command.columns};
+    const io::ReadOptions options{command.options.max_memory, command.from, command.columns,
+                                  command.merge || command.batch};
     io::Cloud cloud = path != kStandardStream
                           ? io::read_cloud(path, options)
                           : io::decode_any(io::read_standard_input(options.most, &stop_asked), "", options);

@@ -251,7 +251,9 @@ std::string encode_mesh(const std::string& format, const pcl::PolygonMesh& mesh)
 
 Cloud decode_any(std::string_view bytes, const std::string& extension, const ReadOptions& options) {
   const std::string format = options.format.empty() ? content_format(extension, bytes) : options.format;
-  Cloud cloud = decode_cloud(format, bytes, options.columns);
+  const bool other = !options.columns.empty() && options.columns_of_texts_only && !is_table(format);
+  Cloud cloud = decode_cloud(format, bytes, other ? std::vector<std::string>{} : options.columns);
+  if (other) cloud.notes.push_back("its columns have names of their own, and --columns is not used");
   if (size_of(cloud.points) == 0) throw IoError("there are no points in it");
   if (const std::size_t missing = mark_missing_heights(cloud.points); missing > 0)
     cloud.notes.push_back("left out " + std::to_string(missing) + " points without a height");

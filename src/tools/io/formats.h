@@ -20,7 +20,8 @@ struct ReadOptions {
   std::int64_t most = 0;    ///< bytes, as of read_file()
   std::string format = {};  ///< of cloud_formats(); empty: by the content
   std::vector<std::string> columns =
-      {};  ///< names of the columns of a text, "_" for none; empty: by the text
+      {};                              ///< names of the columns of a text, "_" for none; empty: by the text
+  bool columns_of_texts_only = false;  ///< other formats are read as ever, with a note; else they are refused
 };
 
 /// The names of the formats of points: pcd ply obj stl vtk off las ptx pts xyz txt csv asc grid. pts, xyz,

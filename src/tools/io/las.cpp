@@ -152,7 +152,10 @@ Cloud decode_las(std::string_view bytes) {
     }
     to[layout.rgb + 3] = 255;
   }
-  if (header.step > format.size) cloud.notes.push_back("the extra bytes of its points are left out");
+  const bool infrared = header.format == 8 || header.format == 10;
+  cloud.notes.push_back(
+      std::string("left out the returns, flags, angles, user data and sources of its points") +
+      (infrared ? ", near infrared" : "") + (header.step > format.size ? ", extra bytes" : ""));
   return cloud;
 }
 

@@ -235,7 +235,7 @@ Cloud decode_pcd(std::string_view bytes) {
   const Header header = parse_header(file);
   const std::string_view body = bytes.substr(bytes.size() - file.remaining());
   std::vector<Column> columns = columns_of(header);
-  check_size(header, columns, body);
+  const std::size_t step = check_size(header, columns, body);
   std::string_view values = body;
   if (header.data == Data::Compressed) values = packed(header, columns, body);
   const PointLayout layout(columns);
@@ -243,6 +243,7 @@ Cloud decode_pcd(std::string_view bytes) {
   Cloud cloud;
   if (header.data == Data::Binary) {
     cloud.points = layout.read(body, points, false, cloud.notes);
+    note_more(body.size(), points, step, cloud.notes);
   } else {
     cloud.points = layout.cloud(points);
     header.data == Data::Ascii ? read_text(bytes, body, columns, layout, cloud.points)

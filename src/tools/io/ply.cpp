@@ -158,10 +158,14 @@ class Body {
     for (std::size_t r = 0; r < repeats; ++r) value(property.type);
   }
 
-  /// Refuses a text with more numbers than its header says, as all of them may be of other points.
-  void check_end() {
+  /// Refuses a text with more numbers than its header says, as all of them may be of other points. In a
+  /// binary file they are noted.
+  void check_end(Notes& notes) {
+    constexpr std::size_t kSmall = 12;  // bytes, fewer than a point has
     if (format_ == PlyFormat::Ascii && !text_.word().empty())
       throw IoError("it has more numbers than its PLY header says; correct the header");
+    if (format_ != PlyFormat::Ascii && bytes_.size() >= kSmall)
+      notes.push_back("left out " + std::to_string(bytes_.size()) + " bytes behind its last element");
   }
 
   /// Refuses an element with more rows than the rest of the file can hold.
@@ -309,7 +313,7 @@ Shape decode_ply(std::string_view bytes) {
         for (const Property& property : element.properties) body.skip(property);
     }
   }
-  body.check_end();
+  body.check_end(shape.notes);
   check_corners(shape.triangles, size_of(shape.points));
   return shape;
 }

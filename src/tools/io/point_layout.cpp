@@ -263,6 +263,14 @@ pcl::PCLPointCloud2 PointLayout::read(std::string_view body, std::size_t points,
   return read;
 }
 
+void note_more(std::size_t body, std::size_t points, std::size_t step, Notes& notes) {
+  const std::size_t more = body / std::max<std::size_t>(step, 1) - points;  // read() saw that many points
+  if (more > 0)
+    notes.push_back("left out " + std::to_string(body - points * step) +
+                    " bytes behind its points, as many as " + std::to_string(more) +
+                    " points more than its header says have");
+}
+
 pcl::PCLPointCloud2 with_known_fields(pcl::PCLPointCloud2 cloud, Notes& notes) {
   std::vector<Column> columns;
   for (const pcl::PCLPointField& field : cloud.fields) {

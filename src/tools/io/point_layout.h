@@ -81,6 +81,9 @@ class PointLayout {
   bool opaque_ = false;            // alpha is to be 255
 };
 
+/// Notes that a body has bytes for more points, of `step` bytes, than its header says.
+void note_more(std::size_t body, std::size_t points, std::size_t step, Notes& notes);
+
 /// The cloud with its fields as PointLayout makes them, whatever their names and types, in one row if any had
 /// to change. Throws IoError for one whose bytes contradict its fields.
 pcl::PCLPointCloud2 with_known_fields(pcl::PCLPointCloud2 cloud, Notes& notes);
