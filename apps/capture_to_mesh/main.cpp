@@ -155,6 +155,7 @@ std::size_t capture_frames(const CommandLine& command, stream::FrameSource& sour
   if (command.every > 0) previews.emplace(command, bar);
   const std::size_t most = command.frames > 0 ? static_cast<std::size_t>(command.frames) : 0;
   std::size_t seen = 0, unread = 0;
+  std::set<std::string> said;
   const std::size_t stride = static_cast<std::size_t>(command.stride);
   std::optional<std::size_t> total = source.size();
   if (total) *total = (*total + stride - 1) / stride;
@@ -170,6 +171,8 @@ std::size_t capture_frames(const CommandLine& command, stream::FrameSource& sour
       ++seen;
       fault = accumulator.add(*frame);
       name = frame->name;
+      for (const std::string& note : frame->notes)  // most often all frames have the same ones
+        if (said.insert(note).second) bar.say(std::string(kName) + ": " + name + ": " + note + ".");
       if (!fault && previews) previews->after(accumulator);
       if (fault) fault = name + ": left out: " + *fault;
     } catch (const stream::StreamError& error) {  // a frame that cannot be read

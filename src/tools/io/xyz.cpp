@@ -100,14 +100,19 @@ class Survey {
 
   const TableFacts& facts() const { return facts_; }
 
-  /// The line of the first point, if it has whole numbers alone, of which the first is the number of the
-  /// others, which have fractions: as TetGen writes "600 3 0 0" ahead. 0 if not.
+  /// The line of the first point, if it is none: whole numbers alone, of which the first is the number of the
+  /// others, which have fractions, as TetGen writes "600 3 0 0" ahead. 0 if it is a point. Throws IoError if
+  /// fewer follow that are numbered.
   std::size_t headline() const {
     const bool fractions = std::any_of(facts_.columns.begin(), facts_.columns.end(),
                                        [](const ColumnFacts& c) { return !c.text && !c.whole; });
-    const bool numbers_them = first_whole_ && first_count_ + 1 == static_cast<double>(facts_.rows);
-    return numbers_them && fractions && facts_.rows > 3 && !counted_ ? first_line_ : 0;
+    if (!first_whole_ || !fractions || facts_.rows < 4 || counted_) return 0;
+    const auto follow = static_cast<double>(facts_.rows - 1);
+    if (first_count_ > follow && first_count_ < 1e15 && numbered_)
+      refuse_count(first_line_, static_cast<long long>(first_count_), facts_.rows - 1);
+    return first_count_ == follow ? first_line_ : 0;
   }
+
   const Names& header() const { return header_; }
   bool has_header() const { return header_.complete(); }
   bool has_other_header() const { return other_header_; }
@@ -225,6 +230,9 @@ class Survey {
       first_count_ = values_[0];
       first_whole_ = std::all_of(values_.begin(), values_.end(), [](double x) { return std::floor(x) == x; });
     }
+    const double expected = facts_.rows == 1 ? (values_[0] == 0 ? 0 : 1) : last_number_ + 1;
+    if (facts_.rows > 0) numbered_ = numbered_ && values_[0] == expected;
+    last_number_ = values_[0];
     facts_.add(values_, words_);
     ++block_rows_;
   }
@@ -254,9 +262,12 @@ class Survey {
   /// The number of points ahead of them is believed, so that a file that is cut off is seen.
   void end_block() {
     if (!counted_ || block_count_ == static_cast<long long>(block_rows_)) return;
-    refuse(block_line_, "announces " + std::to_string(block_count_) + " points, and " +
-                            std::to_string(block_rows_) +
-                            " follow: the file is cut off, or take that line out");
+    refuse_count(block_line_, block_count_, block_rows_);
+  }
+
+  [[noreturn]] static void refuse_count(std::size_t line, long long count, std::size_t rows) {
+    refuse(line, "announces " + std::to_string(count) + " points, and " + std::to_string(rows) +
+                     " follow: the file is cut off, or take that line out");
   }
 
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -274,8 +285,9 @@ class Survey {
   std::size_t number_ = 0, first_line_ = 0, trailer_ = kNone;
   bool counted_ = false, ragged_ = false, colmap_ = false;
   std::size_t headline_;
-  double first_count_ = 0;    // of the first point: its first number
-  bool first_whole_ = false;  // and whether all are whole
+  double first_count_ = 0, last_number_ = 0;  // the first number of the first point, and of the last
+  bool numbered_ = true;                      // do the others count from 0 or 1?
+  bool first_whole_ = false;                  // and whether all are whole
   std::size_t block_line_ = 0, block_rows_ = 0;
   long long block_count_ = 0;
 };

@@ -17,6 +17,7 @@ namespace {
 Frame frame_of(io::Cloud cloud) {
   Frame frame;
   frame.cloud = std::move(cloud.points);
+  frame.notes = std::move(cloud.notes);
   const std::array<double, 4> turn = cloud.orientation.value_or(std::array<double, 4>{1, 0, 0, 0});
   const Eigen::Quaterniond rotation(turn[0], turn[1], turn[2], turn[3]);
   if (cloud.viewpoint && rotation.norm() > 0.5 && rotation.norm() < 2)  // else it is no pose

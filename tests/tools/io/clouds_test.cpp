@@ -14,6 +14,7 @@
 #include "io/merge.h"
 #include "io/no_return.h"
 #include "io/point_layout.h"
+#include "samples.h"
 #include "support/model.h"
 
 namespace filmsticking::test {
@@ -172,6 +173,33 @@ TEST(Layout, ColoursOutOfRangeAreLeftOutWithANote) {
   io::Notes notes;
   layout.finish(cloud, notes);
   EXPECT_FALSE(io::find_field(cloud, "rgb"));
+  EXPECT_EQ(notes.size(), 1u);
+}
+
+TEST(Files, NewNormalsReplaceOldOnes) {
+  const io::Cloud cloud = labelled(true);
+  const std::vector<std::array<float, 3>> turned(4, {0, -1, 0});
+  const pcl::PCLPointCloud2 again = io::with_normals(cloud.points, turned);
+  EXPECT_EQ(again.fields.size(), cloud.points.fields.size());
+  EXPECT_EQ(normals_in(again), turned);
+  EXPECT_EQ(io::positions_of(again), io::positions_of(cloud.points));
+}
+
+TEST(Layout, ColoursHaveNamesThatBelongTogether) {
+  const auto byte = io::Scalar::UInt8;
+  const io::PointLayout radius(
+      {{"x"}, {"y"}, {"z"}, {"r"}, {"red", byte}, {"green", byte}, {"blue", byte}, {"a"}});
+  const pcl::PCLPointCloud2 cloud = radius.cloud(1);
+  EXPECT_TRUE(io::find_field(cloud, "r"));
+  EXPECT_TRUE(io::find_field(cloud, "a"));  // no alpha of red, green and blue
+  EXPECT_TRUE(io::find_field(cloud, "rgb"));
+}
+
+TEST(Layout, AColumnWhoseNameAnotherHasIsLeftOutWithANote) {
+  const io::PointLayout layout({{"x"}, {"y"}, {"z"}, {"x"}});
+  pcl::PCLPointCloud2 cloud = layout.cloud(1);
+  io::Notes notes;
+  layout.finish(cloud, notes);
   EXPECT_EQ(notes.size(), 1u);
 }
 

@@ -63,5 +63,23 @@ TEST(FileSequence, FramesMayBeFilesOfAnyFormat) {
   EXPECT_TRUE((frames[3].sensor_pose * Eigen::Vector3d(1, 2, 3)).isApprox(Eigen::Vector3d(8, 21, 33)));
 }
 
+TEST(FileSequence, PcdFramesAreReadAsAllPcdFiles) {
+  const test::ScratchFolder folder;
+  std::ofstream(folder / "a.pcd")
+      << "FIELDS X Y Z r g b\nCOUNT 1 1 1 1 1 1\nSIZE 8 4 4 1 1 1\nTYPE F F F U U U\nHEIGHT 1\n"
+         "WIDTH 1\nVIEWPOINT 1 2 3 0 0 0 1\nDATA ascii\n4 5 6 10 20 30\n";
+  const auto frame = file_sequence({folder / "a.pcd"})->next();
+  ASSERT_TRUE(frame);
+  EXPECT_EQ(io::positions_of(frame->cloud), (std::vector<Point>{{4, 5, 6}}));
+  EXPECT_EQ(io::colours_of(frame->cloud), (std::vector<io::Colour>{{10, 20, 30}}));
+  EXPECT_TRUE((frame->sensor_pose * Eigen::Vector3d(1, 0, 0)).isApprox(Eigen::Vector3d(0, 2, 3)));
+}
+
+TEST(FileSequence, AFrameSaysHowItWasRead) {
+  const test::ScratchFolder folder;
+  std::ofstream(folder / "a.xyz") << "1 2 3 0.5\n4 5 6 0.7\n";
+  EXPECT_EQ(file_sequence({folder / "a.xyz"})->next()->notes.size(), 1u);
+}
+
 }  // namespace
 }  // namespace filmsticking::stream
