@@ -7,6 +7,8 @@
 #include <cinttypes>
 #include <cstdio>
 #include <filesystem>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "capture_bar.h"
