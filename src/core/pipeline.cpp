@@ -48,6 +48,8 @@ constexpr double kLittleConflict = 0.005;
 // Price per fraction of area that faces away from the viewpoint.
 constexpr double kTurnedPrice = 0.5;
 
+bool is_clear(const Candidate& cut) { return !cut.empty() && cut.missed <= kClear; }
+
 }  // namespace
 
 Pipeline::Pipeline(const PointsView& points, const SiteSet& sites, const SiteGeometry& geometry,
@@ -99,13 +101,16 @@ bool Pipeline::look(std::vector<Vec3> from) {
 // Most clouds are clear: the first cut, by the field that starts from the film, misses hardly a site.
 Candidate Pipeline::labelling() {
   if (!guessed_) look(site_viewpoints(sites_, options_));
+  if (inside_) {
+    Candidate room = cutter_.cut_field(cutter_.turn_sight_over(), open_);
+    if (is_clear(room)) return without_gaps(std::move(room));
+    cutter_.turn_sight_over();
+  }
   const std::vector<char> film = film_from_sphere();
   Candidate first = cutter_.cut_field(belief_of(film), open_);
-  if (first.missed > kClear && !viewpoints_.empty() && !inside_)
+  if (!viewpoints_.empty() && !inside_ && !is_clear(first))
     first = or_blind(std::move(first), belief_of(film));
-  if (first.missed <= kClear && !first.empty())
-    // With a handle or a second component it may have walls, if no thin ones.
-    return first.quality.complexity > 1 ? cutter_.mended(std::move(first), Cutter::Mend::Plugs) : first;
+  if (is_clear(first)) return without_gaps(std::move(first));
 
   if (first.missed > kUnclear && viewpoints_.empty()) first = or_seen(std::move(first), belief_of(film));
   // Their energies change order once their own normals are known and chance gaps are plugged.
@@ -120,11 +125,16 @@ Candidate Pipeline::labelling() {
   return best;
 }
 
+// A clear cut with a handle or a second component may have walls, if no thin ones.
+Candidate Pipeline::without_gaps(Candidate clear) {
+  return clear.quality.complexity > 1 ? cutter_.mended(std::move(clear), Cutter::Mend::Plugs) : clear;
+}
+
 // Sight from outside is wrong where the cut is clear only without it.
 Candidate Pipeline::or_blind(Candidate seen, std::vector<double> guess) {
   std::vector<float> votes = cutter_.forget_sight();
   Candidate blind = cutter_.cut_field(std::move(guess), open_);
-  if (!blind.empty() && blind.missed <= kClear) {
+  if (is_clear(blind)) {
     viewpoints_.clear();
     inside_ = false;
     return blind;
