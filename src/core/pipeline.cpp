@@ -114,20 +114,18 @@ Candidate Pipeline::labelling() {
 
   if (first.missed > kUnclear && viewpoints_.empty()) first = or_seen(std::move(first), belief_of(film));
   // Their energies change order once their own normals are known and chance gaps are plugged.
-  Candidate best, plugged;
+  Candidate best;
   for (Candidate& start : starts(std::move(first))) {
-    Candidate fine = cutter_.refined(std::move(start));
-    Candidate quick = cutter_.mended(fine, Cutter::Mend::Plugs);
-    if (best.empty() || less(quick, plugged)) best = std::move(fine), plugged = std::move(quick);
+    Candidate fine = cutter_.plugged(cutter_.refined(std::move(start)));
+    if (best.empty() || less(fine, best)) best = std::move(fine);
   }
   best = cutter_.mended(std::move(best));
-  if (inside_) best = or_room(std::move(best));
-  return best;
+  return inside_ ? or_room(std::move(best)) : best;
 }
 
 // A clear cut with a handle or a second component may have walls, if no thin ones.
 Candidate Pipeline::without_gaps(Candidate clear) {
-  return clear.quality.complexity > 1 ? cutter_.mended(std::move(clear), Cutter::Mend::Plugs) : clear;
+  return clear.quality.complexity > 1 ? cutter_.plugged(std::move(clear)) : clear;
 }
 
 // Sight from outside is wrong where the cut is clear only without it.
@@ -159,7 +157,8 @@ Candidate Pipeline::or_seen(Candidate first, std::vector<double> guess) {
 
 // Sensors that are inside the hull may be in a room: its air is the inside then, its walls are no shells.
 Candidate Pipeline::or_room(Candidate best) {
-  Candidate room = cutter_.mended(cutter_.refined(cutter_.cut_field(cutter_.turn_sight_over(), open_)));
+  Candidate room = cutter_.refined(cutter_.cut_field(cutter_.turn_sight_over(), open_));
+  room = cutter_.mended(cutter_.plugged(std::move(room)));
   return less(room, best) ? std::move(room) : std::move(best);
 }
 
