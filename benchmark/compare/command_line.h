@@ -45,6 +45,9 @@ using app::UsageError;
 /// Throws UsageError, and std::runtime_error for a list file that cannot be read.
 CommandLine parse_command_line(int argc, const char* const* argv);
 
+/// The words between the commas.
+std::vector<std::string> split_list(const std::string& list);
+
 /// The text of --help.
 std::string usage();
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scans.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -29,7 +30,14 @@ CloudFiles write_scan(const Scan& scan, const std::string& kind, std::uint64_t s
   files.row.set("points", std::to_string(scan.points.size()));
   files.row.set("seed", std::to_string(seed));
   std::filesystem::create_directories(folder);
-  io::write_mesh(files.cloud, io::make_cloud(scan.points), {});
+  files.direction = scan.direction;
+  pcl::PCLPointCloud2 cloud = io::make_cloud(scan.points);
+  if (!scan.sensors.empty()) {
+    cloud = io::with_stations(cloud, scan.sensors);
+    for (pcl::PCLPointField& field : cloud.fields)
+      if (field.name[0] == '_') field.name.erase(0, 1);  // files have vp_x
+  }
+  io::write_mesh(files.cloud, cloud, {});
   return files;
 }
 
@@ -86,11 +94,7 @@ class ScanCsv {
 
 void compare_scans(const CommandLine& command) {
   const std::map<std::string, MethodEntry> entries = find_methods();
-  const std::vector<std::string> methods =
-      choose_methods(command.methods.empty() ? std::vector<std::string>{"ours"} : command.methods, entries);
-  std::vector<std::string> kinds = command.kinds;
-  if (kinds.empty())
-    for (const ScanKind& kind : scan_kinds()) kinds.emplace_back(kind.name);
+  if (!command.methods.empty()) choose_methods(command.methods, entries);  // refuses unknown ones
   Measurement measurement;
   measurement.limits = command.limits;
   measurement.threads = command.threads;
@@ -98,7 +102,11 @@ void compare_scans(const CommandLine& command) {
   const ScanCsv csv(command.csv);
   const ScratchFolder scratch;
   std::vector<ScanResult> results;
-  for (const std::string& kind : kinds)
+  for (const ScanKind& of : scan_kinds()) {
+    const std::string kind = of.name;
+    if (!command.kinds.empty() && std::count(command.kinds.begin(), command.kinds.end(), kind) == 0) continue;
+    const std::vector<std::string> methods =
+        command.methods.empty() ? split_list(of.methods) : command.methods;
     for (const std::uint64_t seed : command.seeds) {
       const Scan scan = make_scan(kind, seed);
       const std::string folder =
@@ -114,6 +122,7 @@ void compare_scans(const CommandLine& command) {
       }
       if (command.keep.empty()) std::filesystem::remove_all(folder);
     }
+  }
   publish(scan_tables(results), command.markdown);
 }
 
