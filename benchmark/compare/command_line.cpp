@@ -133,7 +133,9 @@ CommandLine::Mode mode_of(const std::string& word) {
   if (word == "sample") return CommandLine::Mode::Sample;
   if (word == "scans") return CommandLine::Mode::Scans;
   if (word == "normals") return CommandLine::Mode::Normals;
-  throw UsageError("\"" + word + "\" is none of quality, speed, sheet, sample, scans, normals; see --help");
+  if (word == "berger") return CommandLine::Mode::Berger;
+  throw UsageError("\"" + word +
+                   "\" is none of quality, speed, sheet, sample, scans, normals, berger; see --help");
 }
 
 void read_lists(CommandLine& command, const Lists& lists) {
@@ -178,6 +180,8 @@ void check(const CommandLine& command) {
   using Mode = CommandLine::Mode;
   if (command.mode == Mode::Scans) return check_kinds(command);
   if (!command.kinds.empty()) throw UsageError("--kinds is for scans only");
+  if (command.mode == Mode::Berger && command.inputs.size() != 1)
+    throw UsageError("berger takes one folder; see --help");
   if (command.inputs.empty()) throw UsageError("a mesh, a cloud or a shape is needed; see --help");
   const bool one_file = command.mode == Mode::Sheet || command.mode == Mode::Sample;
   if (one_file && command.output.empty()) throw UsageError("-o FILE is needed; see --help");
@@ -207,7 +211,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   if (!arguments.parse(argc, argv)) return command;
   const std::vector<std::string>& words = arguments.files();
   if (words.empty())
-    throw UsageError("quality, speed, sheet, sample, scans or normals must come first; see --help");
+    throw UsageError("quality, speed, sheet, sample, scans, normals or berger must come first; see --help");
   command.mode = mode_of(words[0]);
   command.inputs.assign(words.begin() + 1, words.end());
   read_lists(command, lists);
@@ -226,6 +230,7 @@ std::string usage() {
        compare sample INPUT -o CLOUD.ply       the cloud alone
        compare scans [options]                 kinds of scans whose right answer is known
        compare normals INPUT.. [options]       signs of oriented normals: ours, PCL's and CGAL's
+       compare berger FOLDER [options]         scans with their cameras: overlap with the true solids
 
 An INPUT is a mesh to sample, a cloud, or one of the shapes that the README lists.
 )" + arguments.help();

@@ -14,7 +14,7 @@ namespace filmsticking::bench {
 
 /// The command line of compare.
 struct CommandLine {
-  enum class Mode { Quality, Speed, Sheet, Sample, Scans, Normals };
+  enum class Mode { Quality, Speed, Sheet, Sample, Scans, Normals, Berger };
   Mode mode = Mode::Quality;
   bool help = false;
   std::vector<std::string> inputs;
