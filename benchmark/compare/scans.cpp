@@ -32,11 +32,7 @@ CloudFiles write_scan(const Scan& scan, const std::string& kind, std::uint64_t s
   std::filesystem::create_directories(folder);
   files.direction = scan.direction;
   pcl::PCLPointCloud2 cloud = io::make_cloud(scan.points);
-  if (!scan.sensors.empty()) {
-    cloud = io::with_stations(cloud, scan.sensors);
-    for (pcl::PCLPointField& field : cloud.fields)
-      if (field.name[0] == '_') field.name.erase(0, 1);  // files have vp_x
-  }
+  if (!scan.sensors.empty()) cloud = io::with_named_stations(io::with_stations(cloud, scan.sensors));
   io::write_mesh(files.cloud, cloud, {});
   return files;
 }
