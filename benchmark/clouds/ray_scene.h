@@ -11,7 +11,9 @@ namespace filmsticking::bench {
 struct Box {
   Vec3 low, high;
 
-  bool contains(const Vec3& p) const { return (p.array() > low.array()).all() && (p.array() < high.array()).all(); }
+  bool contains(const Vec3& p) const {
+    return (p.array() > low.array()).all() && (p.array() < high.array()).all();
+  }
 };
 
 /// An upright cylinder that stands on z = 0.

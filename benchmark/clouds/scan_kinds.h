@@ -13,10 +13,10 @@ namespace filmsticking::bench {
 
 /// A cloud as a scanner leaves it, and what is known of the surface that it came from.
 struct Scan {
-  std::vector<Point> points;   ///< in random order
-  std::vector<Point> sensors;  ///< where each was seen from; empty if that is not known
+  std::vector<Point> points;       ///< in random order
+  std::vector<Point> sensors;      ///< where each was seen from; empty if that is not known
   std::optional<Point> direction;  ///< in which a far sensor looked at all
-  double size = 0;             ///< the longest side of what was scanned
+  double size = 0;                 ///< the longest side of what was scanned
 
   /// The truth, flat lids in all openings; one of the two at most.
   std::optional<double> volume, area;
@@ -32,8 +32,8 @@ struct Scan {
   std::size_t least_needed = 0;
   double least_used = 0;  ///< share of the points that are vertices
   int most_borders = -1;  ///< loops of edges with one face; negative: any number
-  /// Of the area, the share that shows its front to what saw it. For surfaces that may be open: the outside of
-  /// a solid is its front.
+  /// Of the area, the share that shows its front to what saw it. For surfaces that may be open: the outside
+  /// of a solid is its front.
   double least_front = 0;
 
   /// There is no surface to find: right is a warning or a refusal, whatever the mesh.

@@ -92,7 +92,8 @@ Scan make_room(Random& random, bool corner) {
   const double x = between(5, 8, random), y = between(4, 6, random);
   RayScene scene;
   scene.rooms = {{{0, 0, 0}, {x, y, kHeight}}};
-  if (corner) scene.rooms.push_back({{0, y, 0}, {between(2.5, 3.5, random), y + between(2.5, 4, random), kHeight}});
+  if (corner)
+    scene.rooms.push_back({{0, y, 0}, {between(2.5, 3.5, random), y + between(2.5, 4, random), kHeight}});
   const std::size_t count = 2 + random.below(3);
   std::vector<Vec3> stations;
   for (std::size_t i = 0; i < count; ++i) {
@@ -159,7 +160,8 @@ Scan make_cliffs(Random& random) {
   constexpr int kColumns = 90, kRows = 70;
   constexpr double kEast = 483000, kNorth = 5457000;
   const double cell = between(0.5, 2, random), step = between(4, 12, random) * cell;
-  const double at_x = between(30, 60, random), at_y = between(25, 45, random), slant = between(-0.3, 0.3, random);
+  const double at_x = between(30, 60, random), at_y = between(25, 45, random),
+               slant = between(-0.3, 0.3, random);
   const double wave = between(0, 2 * M_PI, random);
   struct Hole {
     double x, y, a, b;

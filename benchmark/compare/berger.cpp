@@ -56,9 +56,10 @@ Run run(const CloudFiles& files, const std::vector<Probe>& probes, const std::st
 }
 
 std::string csv_of(const std::vector<Run>& runs) {
-  const std::vector<std::string> of_row = {"shape",   "points",     "method",         "status",
-                                           "message", "components", "genus",          "boundary_edges",
-                                           "non_manifold_edges", "interpolated", "seconds", "cpu_seconds"};
+  const std::vector<std::string> of_row = {"shape",        "points",         "method",
+                                           "status",       "message",        "components",
+                                           "genus",        "boundary_edges", "non_manifold_edges",
+                                           "interpolated", "seconds",        "cpu_seconds"};
   std::vector<std::string> header = of_row;
   header.insert(header.end(), {"iou", "missing", "extra"});
   std::string csv = csv_line(header);
@@ -84,11 +85,12 @@ std::string table_of(const std::vector<Run>& runs) {
     const auto of = [&](double Overlap::*member) {
       return run.overlap ? rounded((*run.overlap).*member, 3) : "-";
     };
-    rows.push_back({run.row.text("shape"), run.row.text("method"),
-                    run.row.ended_well() ? run.overlap ? of(&Overlap::iou) : "no inside" : run.row.text("status"),
-                    of(&Overlap::missing), of(&Overlap::extra), shown("components"), shown("boundary_edges"),
-                    shown("non_manifold_edges"), rounded(run.row.number("seconds"), 3),
-                    rounded(run.row.number("cpu_seconds"), 3)});
+    rows.push_back(
+        {run.row.text("shape"), run.row.text("method"),
+         run.row.ended_well() ? run.overlap ? of(&Overlap::iou) : "no inside" : run.row.text("status"),
+         of(&Overlap::missing), of(&Overlap::extra), shown("components"), shown("boundary_edges"),
+         shown("non_manifold_edges"), rounded(run.row.number("seconds"), 3),
+         rounded(run.row.number("cpu_seconds"), 3)});
   }
   return markdown_table(rows);
 }

@@ -15,8 +15,8 @@ namespace filmsticking::bench {
 /// A cloud on the disk, ready for the methods.
 struct CloudFiles {
   std::string cloud;
-  std::string truth;  ///< the mesh that it was drawn from; empty: not known
-  Row row;            ///< the columns that say which cloud it is
+  std::string truth;                    ///< the mesh that it was drawn from; empty: not known
+  Row row;                              ///< the columns that say which cloud it is
   std::optional<Point> direction = {};  ///< in which a far sensor looked at it
 };
 

@@ -26,7 +26,8 @@ SurfaceMesh to_solid(const Mesh& mesh) {
   std::vector<std::array<std::size_t, 3>> faces;
   for (const Point& p : mesh.positions) places.emplace_back(p[0], p[1], p[2]);
   for (const Triangle& t : mesh.triangles)
-    faces.push_back({static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2])});
+    faces.push_back(
+        {static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2])});
   SurfaceMesh solid;
   if (pmp::is_polygon_soup_a_polygon_mesh(faces)) pmp::polygon_soup_to_polygon_mesh(places, faces, solid);
   return CGAL::is_closed(solid) ? solid : SurfaceMesh();
@@ -58,8 +59,7 @@ std::optional<Overlap> overlap(const Mesh& mesh, const std::vector<Probe>& probe
   const CGAL::Side_of_triangle_mesh<SurfaceMesh, Kernel> side(solid);
   double truth = 0, found = 0, both = 0;
   for (const Probe& probe : probes) {
-    const bool inside =
-        side({probe.place[0], probe.place[1], probe.place[2]}) != CGAL::ON_UNBOUNDED_SIDE;
+    const bool inside = side({probe.place[0], probe.place[1], probe.place[2]}) != CGAL::ON_UNBOUNDED_SIDE;
     truth += probe.inside, found += inside, both += probe.inside && inside;
   }
   if (!(truth > 0)) return std::nullopt;

@@ -165,9 +165,10 @@ void judge_scan(ScanResult& result, const Scan& scan, const ScanMeasures* measur
 }
 
 std::string scan_csv_header() {
-  return csv_line({"kind", "seed", "method", "points", "right", "wrong", "status", "message", "seconds",
-                   "closed", "components", "genus", "interpolated", "over_truth", "longest_edge",
-                   "main_share", "needed_used", "used", "borders", "front", "cpu_seconds"});
+  return csv_line({"kind",         "seed",       "method",       "points",     "right",       "wrong",
+                   "status",       "message",    "seconds",      "closed",     "components",  "genus",
+                   "interpolated", "over_truth", "longest_edge", "main_share", "needed_used", "used",
+                   "borders",      "front",      "cpu_seconds"});
 }
 
 std::string scan_csv_line(const ScanResult& result) {

@@ -16,10 +16,10 @@ struct ScanMeasures {
   double volume = 0;  ///< signed; of a closed, oriented mesh
   double area = 0;
   double longest_edge = 0;
-  double main_share = 0;    ///< of the area, in the component that has most of it
-  std::int64_t needed = 0;  ///< how many of Scan::needed are vertices
-  int borders = 0;          ///< loops of edges with one face
-  double used = 0;          ///< share of the points that are vertices
+  double main_share = 0;        ///< of the area, in the component that has most of it
+  std::int64_t needed = 0;      ///< how many of Scan::needed are vertices
+  int borders = 0;              ///< loops of edges with one face
+  double used = 0;              ///< share of the points that are vertices
   std::optional<double> front;  ///< of the area, that faces what saw it; nothing where that is not known
 };
 

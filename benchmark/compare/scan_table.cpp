@@ -39,9 +39,14 @@ std::vector<std::string> cells_of(const Runs& runs) {
   }
   const auto right =
       std::count_if(runs.begin(), runs.end(), [](const ScanResult* run) { return run->wrong.empty(); });
-  return {runs.front()->kind, std::to_string(right) + " of " + std::to_string(runs.size()),
-          rounded(median(over_truth), 3), rounded(longest, 3), rounded(median(used), 4), rounded(median(front), 3),
-          rounded(median(seconds), 3), rounded(median(cpu), 3)};
+  return {runs.front()->kind,
+          std::to_string(right) + " of " + std::to_string(runs.size()),
+          rounded(median(over_truth), 3),
+          rounded(longest, 3),
+          rounded(median(used), 4),
+          rounded(median(front), 3),
+          rounded(median(seconds), 3),
+          rounded(median(cpu), 3)};
 }
 
 }  // namespace
@@ -51,9 +56,9 @@ std::string scan_tables(const std::vector<ScanResult>& results) {
   for (const ScanResult& result : results) all.push_back(&result);
   std::string text;
   for (const Runs& of_method : grouped(all, &ScanResult::method)) {
-    std::vector<std::vector<std::string>> rows = {{"kind", "right of N", "volume or area over truth (median)",
-                                                   "longest face over the size (worst)", "points used (median)",
-                                                   "front (median)", "seconds (median)", "CPU seconds (median)"}};
+    std::vector<std::vector<std::string>> rows = {
+        {"kind", "right of N", "volume or area over truth (median)", "longest face over the size (worst)",
+         "points used (median)", "front (median)", "seconds (median)", "CPU seconds (median)"}};
     std::string faults;
     for (const Runs& of_kind : grouped(of_method, &ScanResult::kind)) {
       rows.push_back(cells_of(of_kind));

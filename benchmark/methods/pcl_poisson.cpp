@@ -44,7 +44,8 @@ Outcome run_pcl_poisson_sight(const SeenCloud& cloud, int threads) {
   for (std::size_t i = 0; i < normals.size(); ++i) {
     Eigen::Vector3d to_sensor;
     for (int k = 0; k < 3; ++k)
-      to_sensor[k] = cloud.sensors.empty() ? -(*cloud.direction)[k] : cloud.sensors[i][k] - cloud.points[i][k];
+      to_sensor[k] =
+          cloud.sensors.empty() ? -(*cloud.direction)[k] : cloud.sensors[i][k] - cloud.points[i][k];
     Eigen::Map<Eigen::Vector3d> normal(normals[i].data());
     if (normal.dot(to_sensor) < 0) normal = -normal;
   }

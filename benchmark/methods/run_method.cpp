@@ -50,7 +50,10 @@ const Method* find_method(const std::string& name) {
 
 int list() {
   for (const Method& method : methods())
-    std::printf("%s\t%s\t%s\n", method.name, !method.makes_mesh ? "time" : method.run_seen ? "sight" : "mesh",
+    std::printf("%s\t%s\t%s\n", method.name,
+                !method.makes_mesh ? "time"
+                : method.run_seen  ? "sight"
+                                   : "mesh",
                 method.description);
   return 0;
 }

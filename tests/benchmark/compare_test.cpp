@@ -271,7 +271,8 @@ TEST(Compare, Scans) {
 
 TEST(Compare, ScansWithSensors) {
   const ScratchFolder folder;
-  const Outcome outcome = compare({"scans", "--kinds", "cliffs", "--seeds", "1", "--csv", folder / "out.csv"});
+  const Outcome outcome =
+      compare({"scans", "--kinds", "cliffs", "--seeds", "1", "--csv", folder / "out.csv"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::vector<Fields> rows = read_rows(folder / "out.csv");
   ASSERT_EQ(rows.size(), 2U);
@@ -304,10 +305,12 @@ TEST(Compare, Berger) {
     const float record[4] = {p[0], p[1], p[2], p[0] * p[0] + p[1] * p[1] + p[2] * p[2] < 1 ? 1.0F : 0.0F};
     probes.append(reinterpret_cast<const char*>(record), sizeof record);
   }
-  io::write_mesh(folder / "ball.ply", io::with_named_stations(io::with_stations(io::make_cloud(points), cameras)), {});
+  io::write_mesh(folder / "ball.ply",
+                 io::with_named_stations(io::with_stations(io::make_cloud(points), cameras)), {});
   write_text(folder / "ball.occupancy.f32", probes);
-  const Outcome outcome = compare({"berger", folder / "", "--methods", "ours-sight,cgal-advancing-front,fault-throw",
-                                   "--csv", folder / "out.csv", "--markdown", folder / "out.md"});
+  const Outcome outcome =
+      compare({"berger", folder / "", "--methods", "ours-sight,cgal-advancing-front,fault-throw", "--csv",
+               folder / "out.csv", "--markdown", folder / "out.md"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::vector<Fields> rows = read_rows(folder / "out.csv");
   ASSERT_EQ(rows.size(), 3U);

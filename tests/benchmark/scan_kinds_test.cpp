@@ -137,11 +137,11 @@ TEST(ScanKinds, NothingStandsBetweenAPointAndItsSensor) {
   scene.rooms = {{{0, 0, 0}, {4, 4, 3}}, {{4, 0, 0}, {6, 1, 3}}};
   scene.boxes = {{{1, 2, 0}, {2, 3, 1}}};
   scene.poles = {{3, 3, 0.1, 2}};
-  EXPECT_NEAR(scene.first_hit({0.5, 2.5, 0.5}, {1, 0, 0}), 0.5, 1e-12);   // the box
-  EXPECT_NEAR(scene.first_hit({0.5, 2.5, 1.5}, {1, 0, 0}), 3.5, 1e-12);   // the wall over it
-  EXPECT_NEAR(scene.first_hit({0.5, 0.5, 1.5}, {1, 0, 0}), 5.5, 1e-12);   // the wall of the other room
-  EXPECT_NEAR(scene.first_hit({2.5, 3, 1.5}, {1, 0, 0}), 0.4, 1e-12);     // the pole
-  EXPECT_NEAR(scene.first_hit({2.5, 3, 2.5}, {1, 0, 0}), 1.5, 1e-12);     // over it
+  EXPECT_NEAR(scene.first_hit({0.5, 2.5, 0.5}, {1, 0, 0}), 0.5, 1e-12);  // the box
+  EXPECT_NEAR(scene.first_hit({0.5, 2.5, 1.5}, {1, 0, 0}), 3.5, 1e-12);  // the wall over it
+  EXPECT_NEAR(scene.first_hit({0.5, 0.5, 1.5}, {1, 0, 0}), 5.5, 1e-12);  // the wall of the other room
+  EXPECT_NEAR(scene.first_hit({2.5, 3, 1.5}, {1, 0, 0}), 0.4, 1e-12);    // the pole
+  EXPECT_NEAR(scene.first_hit({2.5, 3, 2.5}, {1, 0, 0}), 1.5, 1e-12);    // over it
   scene.rooms.clear();
   EXPECT_EQ(scene.first_hit({0.5, 2.5, 1.5}, {-1, 0, 0}), INFINITY);
   scene.ground = true;

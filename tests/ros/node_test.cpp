@@ -405,7 +405,11 @@ TEST_F(NodeTest, AnOpenMeshFacesTheSensor) {
     broadcaster.sendTransform(transform);
     const Mesh mesh = mesh_at(publish(cloud, transform.child_frame_id));
     EXPECT_GT(mesh.positions.size(), 1900u);
-    EXPECT_GT(test::facing_share(mesh, [&](const Point&) { return Point{turned ? 20.0 : 16.0, 0, 0}; }), 0.95);
+    EXPECT_GT(test::facing_share(mesh,
+                                 [&](const Point&) {
+                                   return Point{turned ? 20.0 : 16.0, 0, 0};
+                                 }),
+              0.95);
   }
 }
 

@@ -10,7 +10,9 @@ namespace filmsticking::test {
 /// The share of the area that shows its front to its sensor. `sensor_of`: where a place was seen from.
 template <class SensorOf>
 double facing_share(const Mesh& mesh, const SensorOf& sensor_of) {
-  const auto at = [&](std::int32_t v) { return Eigen::Vector3d(mesh.positions[static_cast<std::size_t>(v)].data()); };
+  const auto at = [&](std::int32_t v) {
+    return Eigen::Vector3d(mesh.positions[static_cast<std::size_t>(v)].data());
+  };
   double front = 0, all = 0;
   for (const Triangle& t : mesh.triangles) {
     const Eigen::Vector3d area = (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0]));

@@ -100,9 +100,10 @@ pcl::PCLPointCloud2 with_sensors(pcl::PCLPointCloud2 means, const pcl::PCLPointC
     tree.nearestKSearch(mean, 1, found, distances);
     nearest.push_back(sensors[static_cast<std::size_t>(found[0])]);
   }
-  means.fields.erase(std::remove_if(means.fields.begin(), means.fields.end(),
-                                    [](const pcl::PCLPointField& field) { return io::is_viewpoint(field.name); }),
-                     means.fields.end());
+  means.fields.erase(
+      std::remove_if(means.fields.begin(), means.fields.end(),
+                     [](const pcl::PCLPointField& field) { return io::is_viewpoint(field.name); }),
+      means.fields.end());
   return io::with_stations(means, nearest);
 }
 

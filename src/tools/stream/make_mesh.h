@@ -28,8 +28,9 @@ struct MeshJob {
 /// How a MeshJob ended.
 struct Outcome {
   Status status = Status::InternalError;
-  std::string message;      ///< one sentence, without a full stop, about a failure
-  pcl::PolygonMesh mesh;    ///< vertices with the fields of the cloud but io::kStationFields; empty after a failure
+  std::string message;  ///< one sentence, without a full stop, about a failure
+  pcl::PolygonMesh
+      mesh;  ///< vertices with the fields of the cloud but io::kStationFields; empty after a failure
   std::int64_t points = 0;  ///< of the cloud, before the filters
   double seconds = 0;       ///< wall time, filters included
   Report report;

@@ -31,8 +31,9 @@ void MeanCloud::add(const std::vector<Point>& points, const std::vector<io::Colo
       sum.position[axis] += points[i][axis];
       if (coloured_) sum.colour[axis] += colours[i][axis];
     }
-    if (sensor) sum.see(*sensor, std::hypot(points[i][0] - (*sensor)[0], points[i][1] - (*sensor)[1],
-                                            points[i][2] - (*sensor)[2]));
+    if (sensor)
+      sum.see(*sensor, std::hypot(points[i][0] - (*sensor)[0], points[i][1] - (*sensor)[1],
+                                  points[i][2] - (*sensor)[2]));
     ++sum.points;
     if (sum.last_frame != frame_) ++sum.frames;
     sum.last_frame = frame_;

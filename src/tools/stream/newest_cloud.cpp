@@ -77,8 +77,8 @@ void NewestCloud::set_bounds(const Bounds& bounds) {
 
 void NewestCloud::add(const Frame& frame) {
   const std::vector<Point> points = moved(io::positions_of(frame.cloud), frame.sensor_pose);
-  pcl::PCLPointCloud2 rows = io::with_stations(
-      with_fields(frame.cloud, fields_to_hold(frame.cloud.fields)), sensors_of(frame));
+  pcl::PCLPointCloud2 rows =
+      io::with_stations(with_fields(frame.cloud, fields_to_hold(frame.cloud.fields)), sensors_of(frame));
   const io::PositionFields positions(rows);
   const auto store = [&](std::size_t i) {
     if (!std::all_of(points[i].begin(), points[i].end(), is_float)) return false;

@@ -202,7 +202,11 @@ TEST_F(LiveMesherTest, TwoSidesOfAThinWallKeepTheirOwnSensors) {
   ASSERT_EQ(outcome->status, Status::Ok) << outcome->message;
   const Mesh mesh{io::positions_of(outcome->mesh.cloud), io::triangles_of(outcome->mesh.polygons)};
   EXPECT_GT(mesh.positions.size(), 1700u);
-  EXPECT_GT(test::facing_share(mesh, [](const Point& p) { return Point{0, 0, p[2] > 0 ? 2.0 : -2.0}; }), 0.95);
+  EXPECT_GT(test::facing_share(mesh,
+                               [](const Point& p) {
+                                 return Point{0, 0, p[2] > 0 ? 2.0 : -2.0};
+                               }),
+            0.95);
 }
 
 TEST_F(LiveMesherTest, NewerDataCanEndTheRunningOne) {

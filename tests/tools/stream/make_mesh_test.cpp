@@ -39,7 +39,8 @@ TEST(MakeMesh, MakesAClosedMeshOfThePointsWithTheirColours) {
 TEST(MakeMesh, AnOpenSurfaceFacesWhatSawItsPoints) {
   test::Random random(4);
   std::vector<Point> points;
-  for (int i = 0; i < 2000; ++i) points.push_back({random.uniform(), random.uniform(), random.uniform(0, 0.01)});
+  for (int i = 0; i < 2000; ++i)
+    points.push_back({random.uniform(), random.uniform(), random.uniform(0, 0.01)});
   for (const double height : {5.0, -5.0}) {
     const Point sensor{0.5, 0.5, height};
     MeshJob job{io::with_stations(io::make_cloud(points), std::vector<Point>(points.size(), sensor)), {}, {}};

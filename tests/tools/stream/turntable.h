@@ -22,8 +22,8 @@ struct RangeImage {
   std::vector<Eigen::Vector3d> points;  ///< in the sensor's coordinates, whose z is the middle ray
 };
 
-/// Casts rays, `pitch` apart at this distance along the sensor's z, at all triangles and keeps the nearest hit
-/// of each. All of the mesh is before the sensor.
+/// Casts rays, `pitch` apart at this distance along the sensor's z, at all triangles and keeps the nearest
+/// hit of each. All of the mesh is before the sensor.
 inline RangeImage cast_rays(const Mesh& mesh, const Eigen::Isometry3d& pose, double distance, double pitch) {
   const Eigen::Isometry3d to_sensor = pose.inverse();
   std::vector<Eigen::Vector3d> corners;  // their places where all rays are parallel, and 1 / z
@@ -64,7 +64,8 @@ inline RangeImage cast_rays(const Mesh& mesh, const Eigen::Isometry3d& pose, dou
     for (int x = 0; x < width; ++x) {
       const double z = 1 / nearness[static_cast<std::size_t>(y * width + x)];
       if (std::isfinite(z))
-        image.points.emplace_back((least.x() + x * pitch) * z / distance, (least.y() + y * pitch) * z / distance, z);
+        image.points.emplace_back((least.x() + x * pitch) * z / distance,
+                                  (least.y() + y * pitch) * z / distance, z);
     }
   return image;
 }
