@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 #include "clouds/scan_kinds.h"
@@ -20,6 +21,17 @@
 
 namespace filmsticking::bench {
 namespace {
+
+/// In the order in which they are asked for; all without names.
+std::vector<ScanKind> chosen_kinds(const std::vector<std::string>& names) {
+  const std::vector<ScanKind> all = scan_kinds();
+  if (names.empty()) return all;
+  std::vector<ScanKind> chosen;
+  for (const std::string& name : names)
+    std::copy_if(all.begin(), all.end(), std::back_inserter(chosen),
+                 [&](const ScanKind& kind) { return name == kind.name; });
+  return chosen;
+}
 
 /// A scan on the disk, ready for the methods.
 CloudFiles write_scan(const Scan& scan, const std::string& kind, std::uint64_t seed,
@@ -98,9 +110,8 @@ void compare_scans(const CommandLine& command) {
   const ScanCsv csv(command.csv);
   const ScratchFolder scratch;
   std::vector<ScanResult> results;
-  for (const ScanKind& of : scan_kinds()) {
+  for (const ScanKind& of : chosen_kinds(command.kinds)) {
     const std::string kind = of.name;
-    if (!command.kinds.empty() && std::count(command.kinds.begin(), command.kinds.end(), kind) == 0) continue;
     const std::vector<std::string> methods =
         command.methods.empty() ? split_list(of.methods) : command.methods;
     for (const std::uint64_t seed : command.seeds) {

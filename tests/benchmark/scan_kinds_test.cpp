@@ -274,7 +274,7 @@ TEST(ScanResults, TheFirstFaultIsNamed) {
     result.row.set("components", "1");
     result.row.set("genus", "0");
     if (*column) result.row.set(column, text);
-    const ScanMeasures measures{volume, 9, longest, 1, 0};
+    const ScanMeasures measures{volume, 9, longest, 1, 0, 0, 1, {}};
     judge_scan(result, scan, &measures);
     return result.wrong;
   };
