@@ -227,7 +227,8 @@ int run(const CommandLine& command) {
   last.smoothing = command.filters.smoothing;
   stream::MeshJob job{filters::filter(accumulator.cloud(command.seen_by), last), {}, command.options};
   if (!command.save_cloud.empty())
-    with_file(command.save_cloud, [&] { io::write_mesh(command.save_cloud, job.cloud, {}); });
+    with_file(command.save_cloud,
+              [&] { io::write_mesh(command.save_cloud, io::with_named_stations(job.cloud), {}); });
   save_poses(command, accumulator);
 
   const std::size_t points = io::size_of(job.cloud);

@@ -4,12 +4,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <stdexcept>
 
 #include "capsule.h"
 #include "level_surface.h"
 #include "random.h"
 #include "sensor_scans.h"
+#include "sight_scans.h"
 #include "surface_sampler.h"
 
 namespace filmsticking::bench {
@@ -201,10 +203,36 @@ Scan make_far_few(Random& random) {
   return scan;
 }
 
+/// The surface that was seen, with its rim. The volume behind it is not asked for.
+Scan as_open(Scan scan) {
+  scan.volume.reset();
+  scan.tolerance = INFINITY;
+  return scan;
+}
+
+/// A solid with the seen surface on it, the front outside.
+Scan as_closed(Scan scan) {
+  scan.closed = scan.genus_zero = true;
+  scan.one_piece = true;
+  scan.least_front = 0;
+  scan.most_borders = -1;
+  return scan;
+}
+
+Scan make_open_room(Random& random) { return as_open(make_room(random, false)); }
+Scan make_closed_room(Random& random) { return as_closed(make_room(random, false)); }
+Scan make_open_corner(Random& random) { return as_open(make_room(random, true)); }
+Scan make_closed_corner(Random& random) { return as_closed(make_room(random, true)); }
+Scan make_closed_cliffs(Random& random) { return as_closed(make_cliffs(random)); }
+Scan make_closed_sea_bed(Random& random) { return as_closed(make_sea_bed(random)); }
+
 struct Maker {
   ScanKind kind;
   Scan (*make)(Random& random);
+  bool turned = true;  // into a random position
 };
+
+constexpr const char *kOpen = "ours-open,ours-open-sight", *kClosed = "ours,ours-sight";
 
 constexpr Maker kMakers[] = {
     {{"bottomless_sphere", "a ball without its lowest quarter"}, make_bottomless_sphere},
@@ -217,7 +245,38 @@ constexpr Maker kMakers[] = {
     {{"tool", "a thin tool and five stray points"}, make_tool},
     {{"volume", "points that fill a ball"}, make_volume},
     {{"corners", "a plate as a grid with exact corners"}, make_corners},
-    {{"far_few", "a dense body with a tail of ten points"}, make_far_few}};
+    {{"far_few", "a dense body with a tail of ten points"}, make_far_few},
+    {{"room", "a room with cupboards seen from two to four stations", kOpen}, make_open_room},
+    {{"room_solid", "the same as a solid", kClosed}, make_closed_room},
+    {{"corner", "a room of the shape of an L, the same way", kOpen}, make_open_corner},
+    {{"corner_solid", "the same as a solid", kClosed}, make_closed_corner},
+    {{"lidar", "a yard seen by a spinning lidar of 32 beams", kOpen}, make_lidar},
+    {{"cliffs", "a raster of heights with cliffs and holes", kOpen}, make_cliffs, false},
+    {{"cliffs_solid", "the same as a solid", kClosed}, make_closed_cliffs, false},
+    {{"sea_bed", "soundings in degrees and metres", kOpen}, make_sea_bed, false},
+    {{"sea_bed_solid", "the same as a solid", kClosed}, make_closed_sea_bed, false}};
+
+void turn(Scan& scan, Random& random) {
+  Eigen::Vector4d turn;
+  for (double& x : turn) x = random.gauss();
+  const Eigen::Matrix3d rotation = Eigen::Quaterniond(turn.normalized()).toRotationMatrix();
+  const auto turned = [&](const Point& p) { return point(rotation * Vec3(p[0], p[1], p[2])); };
+  for (std::vector<Point>* points : {&scan.points, &scan.needed, &scan.sensors})
+    for (Point& p : *points) p = turned(p);
+  if (scan.direction) scan.direction = turned(*scan.direction);
+}
+
+/// Points and their sensors.
+void shuffle(Scan& scan, Random& random) {
+  std::vector<std::size_t> order(scan.points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  random.shuffle(order);
+  for (std::vector<Point>* values : {&scan.points, &scan.sensors}) {
+    if (values->empty()) continue;
+    const std::vector<Point> before = *values;
+    for (std::size_t i = 0; i < order.size(); ++i) (*values)[i] = before[order[i]];
+  }
+}
 
 }  // namespace
 
@@ -235,12 +294,8 @@ Scan make_scan(const std::string& kind, std::uint64_t seed) {
   for (const char c : kind) seed = 131 * seed + static_cast<unsigned char>(c);
   Random random(seed);
   Scan scan = maker->make(random);
-  Eigen::Vector4d turn;
-  for (double& x : turn) x = random.gauss();
-  const Eigen::Matrix3d rotation = Eigen::Quaterniond(turn.normalized()).toRotationMatrix();
-  for (std::vector<Point>* points : {&scan.points, &scan.needed})
-    for (Point& p : *points) p = point(rotation * Vec3(p[0], p[1], p[2]));
-  random.shuffle(scan.points);
+  if (maker->turned) turn(scan, random);
+  shuffle(scan, random);
   return scan;
 }
 

@@ -13,8 +13,10 @@ namespace filmsticking::bench {
 
 /// A cloud as a scanner leaves it, and what is known of the surface that it came from.
 struct Scan {
-  std::vector<Point> points;  ///< in random order
-  double size = 0;            ///< the longest side of what was scanned
+  std::vector<Point> points;       ///< in random order
+  std::vector<Point> sensors;      ///< where each was seen from; empty if that is not known
+  std::optional<Point> direction;  ///< in which a far sensor looked at all
+  double size = 0;                 ///< the longest side of what was scanned
 
   /// The truth, flat lids in all openings; one of the two at most.
   std::optional<double> volume, area;
@@ -28,6 +30,11 @@ struct Scan {
   double main_share = 0;           ///< of the area, in the largest component, at least
   std::vector<Point> needed;       ///< of the points; so many of them are vertices, at least:
   std::size_t least_needed = 0;
+  double least_used = 0;  ///< share of the points that are vertices
+  int most_borders = -1;  ///< loops of edges with one face; negative: any number
+  /// Of the area, the share that shows its front to what saw it. For surfaces that may be open: the outside
+  /// of a solid is its front.
+  double least_front = 0;
 
   /// There is no surface to find: right is a warning or a refusal, whatever the mesh.
   bool no_surface = false;
@@ -37,6 +44,7 @@ struct Scan {
 struct ScanKind {
   const char* name;
   const char* description;
+  const char* methods = "ours";  ///< of the table, with commas between them
 };
 
 /// All kinds, in the order of the table.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "clouds/cloud_spec.h"
@@ -14,8 +15,9 @@ namespace filmsticking::bench {
 /// A cloud on the disk, ready for the methods.
 struct CloudFiles {
   std::string cloud;
-  std::string truth;  ///< the mesh that it was drawn from; empty: not known
-  Row row;            ///< the columns that say which cloud it is
+  std::string truth;                    ///< the mesh that it was drawn from; empty: not known
+  Row row;                              ///< the columns that say which cloud it is
+  std::optional<Point> direction = {};  ///< in which a far sensor looked at it
 };
 
 /// Samples a mesh or a shape as `spec` says. A file without faces is a cloud already: its finite points are

@@ -82,14 +82,6 @@ void add_options(Arguments& arguments, CommandLine& command, Lists& lists) {
   add_results(arguments, command);
 }
 
-std::vector<std::string> split(const std::string& list) {
-  std::vector<std::string> words;
-  std::istringstream stream(list);
-  for (std::string word; std::getline(stream, word, ',');)
-    if (!word.empty()) words.push_back(word);
-  return words;
-}
-
 template <class Number>
 Number number(const std::string& word, const std::string& option) {
   Number value{};
@@ -114,7 +106,7 @@ std::int64_t count(const std::string& word) {
 
 std::vector<double> shares(const std::string& list, const std::string& option) {
   std::vector<double> values;
-  for (const std::string& word : split(list)) {
+  for (const std::string& word : split_list(list)) {
     values.push_back(number<double>(word, option));
     if (!(values.back() >= 0 && values.back() <= 1))
       throw UsageError("--" + option + " takes shares from 0 to 1");
@@ -125,7 +117,7 @@ std::vector<double> shares(const std::string& list, const std::string& option) {
 
 std::vector<Noise> noises(const std::string& list) {
   std::vector<Noise> values;
-  for (std::string word : split(list)) {
+  for (std::string word : split_list(list)) {
     const bool in_spacings = word.back() == 's';
     if (in_spacings) word.pop_back();
     values.push_back({shares(word, "noise").front(), in_spacings});
@@ -141,7 +133,9 @@ CommandLine::Mode mode_of(const std::string& word) {
   if (word == "sample") return CommandLine::Mode::Sample;
   if (word == "scans") return CommandLine::Mode::Scans;
   if (word == "normals") return CommandLine::Mode::Normals;
-  throw UsageError("\"" + word + "\" is none of quality, speed, sheet, sample, scans, normals; see --help");
+  if (word == "berger") return CommandLine::Mode::Berger;
+  throw UsageError("\"" + word +
+                   "\" is none of quality, speed, sheet, sample, scans, normals, berger; see --help");
 }
 
 void read_lists(CommandLine& command, const Lists& lists) {
@@ -153,17 +147,17 @@ void read_lists(CommandLine& command, const Lists& lists) {
   }
   for (const std::string& file : lists.files)
     for (std::string& path : read_list(file, where)) command.inputs.push_back(std::move(path));
-  command.methods = split(lists.methods);
-  command.kinds = split(lists.kinds);
+  command.methods = split_list(lists.methods);
+  command.kinds = split_list(lists.kinds);
   const bool speed = command.mode == CommandLine::Mode::Speed;
   const std::string sizes = !lists.points.empty() ? lists.points
                             : speed               ? "10K,50K,100K,200K,500K,1M"
                                                   : "10K";
-  for (const std::string& word : split(sizes)) command.points.push_back(count(word));
-  for (const std::string& word : split(lists.seeds))
+  for (const std::string& word : split_list(sizes)) command.points.push_back(count(word));
+  for (const std::string& word : split_list(lists.seeds))
     command.seeds.push_back(number<std::uint64_t>(word, "seeds"));
   try {
-    for (const std::string& word : split(lists.sampling)) command.samplings.push_back(sampling_of(word));
+    for (const std::string& word : split_list(lists.sampling)) command.samplings.push_back(sampling_of(word));
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
@@ -186,6 +180,8 @@ void check(const CommandLine& command) {
   using Mode = CommandLine::Mode;
   if (command.mode == Mode::Scans) return check_kinds(command);
   if (!command.kinds.empty()) throw UsageError("--kinds is for scans only");
+  if (command.mode == Mode::Berger && command.inputs.size() != 1)
+    throw UsageError("berger takes one folder; see --help");
   if (command.inputs.empty()) throw UsageError("a mesh, a cloud or a shape is needed; see --help");
   const bool one_file = command.mode == Mode::Sheet || command.mode == Mode::Sample;
   if (one_file && command.output.empty()) throw UsageError("-o FILE is needed; see --help");
@@ -199,6 +195,14 @@ void check(const CommandLine& command) {
 
 }  // namespace
 
+std::vector<std::string> split_list(const std::string& list) {
+  std::vector<std::string> words;
+  std::istringstream stream(list);
+  for (std::string word; std::getline(stream, word, ',');)
+    if (!word.empty()) words.push_back(word);
+  return words;
+}
+
 CommandLine parse_command_line(int argc, const char* const* argv) {
   CommandLine command;
   Lists lists;
@@ -207,7 +211,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   if (!arguments.parse(argc, argv)) return command;
   const std::vector<std::string>& words = arguments.files();
   if (words.empty())
-    throw UsageError("quality, speed, sheet, sample, scans or normals must come first; see --help");
+    throw UsageError("quality, speed, sheet, sample, scans, normals or berger must come first; see --help");
   command.mode = mode_of(words[0]);
   command.inputs.assign(words.begin() + 1, words.end());
   read_lists(command, lists);
@@ -226,6 +230,7 @@ std::string usage() {
        compare sample INPUT -o CLOUD.ply       the cloud alone
        compare scans [options]                 kinds of scans whose right answer is known
        compare normals INPUT.. [options]       signs of oriented normals: ours, PCL's and CGAL's
+       compare berger FOLDER [options]         scans with their cameras: overlap with the true solids
 
 An INPUT is a mesh to sample, a cloud, or one of the shapes that the README lists.
 )" + arguments.help();

@@ -14,7 +14,7 @@ namespace filmsticking::bench {
 
 /// The command line of compare.
 struct CommandLine {
-  enum class Mode { Quality, Speed, Sheet, Sample, Scans, Normals };
+  enum class Mode { Quality, Speed, Sheet, Sample, Scans, Normals, Berger };
   Mode mode = Mode::Quality;
   bool help = false;
   std::vector<std::string> inputs;
@@ -44,6 +44,9 @@ using app::UsageError;
 
 /// Throws UsageError, and std::runtime_error for a list file that cannot be read.
 CommandLine parse_command_line(int argc, const char* const* argv);
+
+/// The words between the commas.
+std::vector<std::string> split_list(const std::string& list);
 
 /// The text of --help.
 std::string usage();

@@ -2,6 +2,7 @@
 // compare: FilmstickingPP and its peers on the same clouds.
 #include <cstdio>
 
+#include "berger.h"
 #include "clouds/scan_kinds.h"
 #include "command_line.h"
 #include "common/program.h"
@@ -40,6 +41,8 @@ void run(const CommandLine& command) {
       return compare_scans(command);
     case CommandLine::Mode::Normals:
       return compare_normals(command);
+    case CommandLine::Mode::Berger:
+      return compare_berger(command);
   }
 }
 

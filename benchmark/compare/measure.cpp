@@ -88,9 +88,11 @@ Row measure(const CloudFiles& files, const std::string& method, const MethodEntr
             const std::string& mesh, const Measurement& measurement) {
   Row row = planned_row(files.row, method, measurement);
   row.set("timing", measurement.timing_fit ? "fit" : "unfit");
-  const ChildEnd end =
-      run_child({entry.program, method, files.cloud, mesh, std::to_string(measurement.threads)},
-                measurement.limits, measurement.threads);
+  std::vector<std::string> command = {entry.program, method, files.cloud, mesh,
+                                      std::to_string(measurement.threads)};
+  if (const auto& d = files.direction; d && entry.needs_sight)
+    command.push_back(to_text((*d)[0]) + "," + to_text((*d)[1]) + "," + to_text((*d)[2]));
+  const ChildEnd end = run_child(command, measurement.limits, measurement.threads);
   if (end.timed_out || end.signal != 0 || end.code != 0) {
     set_failure(row, end, measurement.limits);
     return row;

@@ -11,7 +11,7 @@ std::vector<std::string> choose_methods(const std::vector<std::string>& asked,
                                         const std::map<std::string, MethodEntry>& all) {
   std::vector<std::string> usual;
   for (const auto& [name, entry] : all)
-    if (entry.makes_mesh && name.rfind("fault-", 0) != 0) usual.push_back(name);
+    if (entry.makes_mesh && !entry.needs_sight && name.rfind("fault-", 0) != 0) usual.push_back(name);
   std::stable_partition(usual.begin(), usual.end(),
                         [](const std::string& name) { return name.rfind("ours", 0) == 0; });
   if (asked.empty()) return usual;

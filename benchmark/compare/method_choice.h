@@ -9,8 +9,8 @@
 
 namespace filmsticking::bench {
 
-/// The methods to run, in the given order; by default all that make a mesh, except the faults for tests, ours
-/// first. Throws UsageError for an unknown name.
+/// The methods to run, in the given order; by default all that make a mesh of any cloud, but not the faults
+/// for tests, ours first. Throws UsageError for an unknown name.
 std::vector<std::string> choose_methods(const std::vector<std::string>& asked,
                                         const std::map<std::string, MethodEntry>& all);
 

@@ -26,7 +26,7 @@ std::map<std::string, MethodEntry> find_methods() {
       std::getline(fields, method, '\t');
       std::getline(fields, kind, '\t');
       std::getline(fields, description);
-      methods[method] = {program, description, kind == "mesh"};
+      methods[method] = {program, description, kind != "time", kind == "sight"};
     }
   }
   return methods;

@@ -15,6 +15,7 @@ struct MethodEntry {
   std::string program;
   std::string description;
   bool makes_mesh = true;
+  bool needs_sight = false;  ///< it takes only clouds whose sensors are known
 };
 
 /// All methods by name, of run_method and, where it was built, of run_method_open3d. Throws

@@ -3,7 +3,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <map>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "clouds/sample.h"
 #include "csv.h"
@@ -34,6 +38,59 @@ bool is_vertex(const Mesh& mesh, const Point& p, double tolerance) {
                      [&](const Point& q) { return (vector(q) - vector(p)).norm() <= tolerance; });
 }
 
+std::size_t used_vertices(const Mesh& mesh) {
+  std::vector<char> used(mesh.positions.size(), 0);
+  for (const Triangle& t : mesh.triangles)
+    for (const std::int32_t v : t) used[static_cast<std::size_t>(v)] = 1;
+  return static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
+}
+
+/// Components of the graph of edges with one face: rims that touch count as one.
+int count_borders(const Mesh& mesh) {
+  std::map<std::pair<std::int32_t, std::int32_t>, int> faces;
+  for (const Triangle& t : mesh.triangles)
+    for (int k = 0; k < 3; ++k) ++faces[std::minmax(t[k], t[(k + 1) % 3])];
+  Mesh rims{mesh.positions, {}};
+  std::set<std::int32_t> on_rim;
+  for (const auto& [edge, count] : faces) {
+    if (count != 1) continue;
+    rims.triangles.push_back({edge.first, edge.second, edge.second});
+    on_rim.insert({edge.first, edge.second});
+  }
+  const std::vector<std::size_t> rim_of = components_of(rims);
+  std::set<std::size_t> borders;
+  for (const std::int32_t v : on_rim) borders.insert(rim_of[static_cast<std::size_t>(v)]);
+  return static_cast<int>(borders.size());
+}
+
+using FloatPoint = std::array<float, 3>;
+
+FloatPoint rounded_off(const Point& p) {
+  return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+}
+
+std::optional<double> front_share(const Mesh& mesh, const Scan& scan) {
+  if (!scan.direction && scan.sensors.empty()) return std::nullopt;
+  std::map<FloatPoint, Point> sensor_of;  // some methods round to single precision
+  for (std::size_t i = 0; i < scan.sensors.size(); ++i)
+    sensor_of[rounded_off(scan.points[i])] = scan.sensors[i];
+  double front = 0, known = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 a = vector(mesh.positions[t[0]]), b = vector(mesh.positions[t[1]]),
+               c = vector(mesh.positions[t[2]]);
+    const Vec3 area = (b - a).cross(c - a);
+    Vec3 to_sensors = Vec3::Zero();
+    if (scan.direction) to_sensors = -vector(*scan.direction);
+    for (const std::int32_t v : t)
+      if (const auto seen = sensor_of.find(rounded_off(mesh.positions[v])); seen != sensor_of.end())
+        to_sensors += (vector(seen->second) - vector(mesh.positions[v])).normalized();
+    if (to_sensors.isZero()) continue;
+    known += area.norm();
+    if (area.dot(to_sensors) > 0) front += area.norm();
+  }
+  return known > 0 ? std::optional(front / known) : std::nullopt;
+}
+
 std::string shown(const std::optional<double>& value) { return rounded(value, 3); }
 
 /// The first condition that the mesh does not meet.
@@ -55,6 +112,10 @@ std::string find_fault(const ScanResult& result, const Scan& scan) {
     return "an edge of " + shown(result.longest_edge) + " sizes";
   if (!(result.main_share >= scan.main_share))
     return "the main component has " + shown(result.main_share) + " of the area";
+  if (!(result.used >= scan.least_used)) return shown(result.used) + " of the points used";
+  if (scan.most_borders >= 0 && !(result.borders <= scan.most_borders))
+    return std::to_string(result.borders.value_or(0)) + " borders";
+  if (!(result.front.value_or(1) >= scan.least_front)) return "front on " + shown(result.front);
   if (result.needed < static_cast<std::int64_t>(scan.least_needed))
     return std::to_string(result.needed.value_or(0)) + " of " + std::to_string(scan.needed.size()) +
            " points used";
@@ -82,6 +143,9 @@ ScanMeasures measure_scan(const Mesh& mesh, const Scan& scan) {
   found.main_share = *std::max_element(area_of.begin(), area_of.end()) / found.area;
   found.needed = std::count_if(scan.needed.begin(), scan.needed.end(),
                                [&](const Point& p) { return is_vertex(mesh, p, kSamePlace * scan.size); });
+  found.used = static_cast<double>(used_vertices(mesh)) / static_cast<double>(scan.points.size());
+  found.borders = count_borders(mesh);
+  found.front = front_share(mesh, scan);
   return found;
 }
 
@@ -93,14 +157,18 @@ void judge_scan(ScanResult& result, const Scan& scan, const ScanMeasures* measur
     result.longest_edge = measures->longest_edge / scan.size;
     result.main_share = measures->main_share;
     result.needed = measures->needed;
+    result.used = measures->used;
+    result.borders = measures->borders;
+    result.front = measures->front;
   }
   result.wrong = find_fault(result, scan);
 }
 
 std::string scan_csv_header() {
-  return csv_line({"kind", "seed", "method", "points", "right", "wrong", "status", "message", "seconds",
-                   "closed", "components", "genus", "interpolated", "over_truth", "longest_edge",
-                   "main_share", "needed_used"});
+  return csv_line({"kind",         "seed",       "method",       "points",     "right",       "wrong",
+                   "status",       "message",    "seconds",      "closed",     "components",  "genus",
+                   "interpolated", "over_truth", "longest_edge", "main_share", "needed_used", "used",
+                   "borders",      "front",      "cpu_seconds"});
 }
 
 std::string scan_csv_line(const ScanResult& result) {
@@ -117,6 +185,10 @@ std::string scan_csv_line(const ScanResult& result) {
   fields.push_back(text(result.longest_edge));
   fields.push_back(text(result.main_share));
   fields.push_back(result.needed ? std::to_string(*result.needed) : "");
+  fields.push_back(text(result.used));
+  fields.push_back(result.borders ? std::to_string(*result.borders) : "");
+  fields.push_back(text(result.front));
+  fields.push_back(result.row.text("cpu_seconds"));
   return csv_line(fields);
 }
 

@@ -16,8 +16,11 @@ struct ScanMeasures {
   double volume = 0;  ///< signed; of a closed, oriented mesh
   double area = 0;
   double longest_edge = 0;
-  double main_share = 0;    ///< of the area, in the component that has most of it
-  std::int64_t needed = 0;  ///< how many of Scan::needed are vertices
+  double main_share = 0;        ///< of the area, in the component that has most of it
+  std::int64_t needed = 0;      ///< how many of Scan::needed are vertices
+  int borders = 0;              ///< loops of edges with one face
+  double used = 0;              ///< share of the points that are vertices
+  std::optional<double> front;  ///< of the area, that faces what saw it; nothing where that is not known
 };
 
 ScanMeasures measure_scan(const Mesh& mesh, const Scan& scan);
@@ -31,7 +34,8 @@ struct ScanResult {
   std::optional<double> over_truth;    ///< volume or area of the mesh over that of the truth
   std::optional<double> longest_edge;  ///< in sizes of the scan
   std::optional<double> main_share;
-  std::optional<std::int64_t> needed;
+  std::optional<std::int64_t> needed, borders;
+  std::optional<double> used, front;
   std::string wrong;  ///< the first thing that is; empty: the mesh is right
 };
 

@@ -27,17 +27,26 @@ std::vector<Runs> grouped(const Runs& runs, std::string ScanResult::*by) {
 }
 
 std::vector<std::string> cells_of(const Runs& runs) {
-  std::vector<double> over_truth, seconds;
+  std::vector<double> over_truth, used, front, seconds, cpu;
   std::optional<double> longest;
   for (const ScanResult* run : runs) {
     if (run->over_truth) over_truth.push_back(*run->over_truth);
+    if (run->used) used.push_back(*run->used);
+    if (run->front) front.push_back(*run->front);
+    if (const auto taken = run->row.number("cpu_seconds")) cpu.push_back(*taken);
     if (const auto taken = run->row.number("seconds")) seconds.push_back(*taken);
     longest = std::max(longest, run->longest_edge);
   }
   const auto right =
       std::count_if(runs.begin(), runs.end(), [](const ScanResult* run) { return run->wrong.empty(); });
-  return {runs.front()->kind, std::to_string(right) + " of " + std::to_string(runs.size()),
-          rounded(median(over_truth), 3), rounded(longest, 3), rounded(median(seconds), 3)};
+  return {runs.front()->kind,
+          std::to_string(right) + " of " + std::to_string(runs.size()),
+          rounded(median(over_truth), 3),
+          rounded(longest, 3),
+          rounded(median(used), 4),
+          rounded(median(front), 3),
+          rounded(median(seconds), 3),
+          rounded(median(cpu), 3)};
 }
 
 }  // namespace
@@ -47,8 +56,9 @@ std::string scan_tables(const std::vector<ScanResult>& results) {
   for (const ScanResult& result : results) all.push_back(&result);
   std::string text;
   for (const Runs& of_method : grouped(all, &ScanResult::method)) {
-    std::vector<std::vector<std::string>> rows = {{"kind", "right of N", "volume or area over truth (median)",
-                                                   "longest face over the size (worst)", "seconds (median)"}};
+    std::vector<std::vector<std::string>> rows = {
+        {"kind", "right of N", "volume or area over truth (median)", "longest face over the size (worst)",
+         "points used (median)", "front (median)", "seconds (median)", "CPU seconds (median)"}};
     std::string faults;
     for (const Runs& of_kind : grouped(of_method, &ScanResult::kind)) {
       rows.push_back(cells_of(of_kind));

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scans.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 #include "clouds/scan_kinds.h"
@@ -20,6 +22,17 @@
 namespace filmsticking::bench {
 namespace {
 
+/// In the order in which they are asked for; all without names.
+std::vector<ScanKind> chosen_kinds(const std::vector<std::string>& names) {
+  const std::vector<ScanKind> all = scan_kinds();
+  if (names.empty()) return all;
+  std::vector<ScanKind> chosen;
+  for (const std::string& name : names)
+    std::copy_if(all.begin(), all.end(), std::back_inserter(chosen),
+                 [&](const ScanKind& kind) { return name == kind.name; });
+  return chosen;
+}
+
 /// A scan on the disk, ready for the methods.
 CloudFiles write_scan(const Scan& scan, const std::string& kind, std::uint64_t seed,
                       const std::string& folder) {
@@ -29,7 +42,10 @@ CloudFiles write_scan(const Scan& scan, const std::string& kind, std::uint64_t s
   files.row.set("points", std::to_string(scan.points.size()));
   files.row.set("seed", std::to_string(seed));
   std::filesystem::create_directories(folder);
-  io::write_mesh(files.cloud, io::make_cloud(scan.points), {});
+  files.direction = scan.direction;
+  pcl::PCLPointCloud2 cloud = io::make_cloud(scan.points);
+  if (!scan.sensors.empty()) cloud = io::with_named_stations(io::with_stations(cloud, scan.sensors));
+  io::write_mesh(files.cloud, cloud, {});
   return files;
 }
 
@@ -86,11 +102,7 @@ class ScanCsv {
 
 void compare_scans(const CommandLine& command) {
   const std::map<std::string, MethodEntry> entries = find_methods();
-  const std::vector<std::string> methods =
-      choose_methods(command.methods.empty() ? std::vector<std::string>{"ours"} : command.methods, entries);
-  std::vector<std::string> kinds = command.kinds;
-  if (kinds.empty())
-    for (const ScanKind& kind : scan_kinds()) kinds.emplace_back(kind.name);
+  if (!command.methods.empty()) choose_methods(command.methods, entries);  // refuses unknown ones
   Measurement measurement;
   measurement.limits = command.limits;
   measurement.threads = command.threads;
@@ -98,7 +110,10 @@ void compare_scans(const CommandLine& command) {
   const ScanCsv csv(command.csv);
   const ScratchFolder scratch;
   std::vector<ScanResult> results;
-  for (const std::string& kind : kinds)
+  for (const ScanKind& of : chosen_kinds(command.kinds)) {
+    const std::string kind = of.name;
+    const std::vector<std::string> methods =
+        command.methods.empty() ? split_list(of.methods) : command.methods;
     for (const std::uint64_t seed : command.seeds) {
       const Scan scan = make_scan(kind, seed);
       const std::string folder =
@@ -114,6 +129,7 @@ void compare_scans(const CommandLine& command) {
       }
       if (command.keep.empty()) std::filesystem::remove_all(folder);
     }
+  }
   publish(scan_tables(results), command.markdown);
 }
 

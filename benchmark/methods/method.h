@@ -2,6 +2,7 @@
 // The interface of a method of reconstruction in run_method.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,12 +23,21 @@ struct Outcome {
   int steps = 0, fields = 0;       ///< of a film: its steps, and how often a field corrected it
 };
 
+/// A cloud whose sensors are known: one of the two at least.
+struct SeenCloud {
+  std::vector<Point> points;
+  std::vector<Point> sensors;      ///< where each point was seen from; empty: not known
+  std::optional<Point> direction;  ///< in which a far sensor looked
+};
+
 /// A method. `run` may throw, crash or never end: it has a process of its own.
 struct Method {
   const char* name;
   const char* description;
   bool makes_mesh;                                                ///< false: only its time counts
   Outcome (*run)(const std::vector<Point>& points, int threads);  ///< threads 0: all
+  /// Instead of `run`, of methods that need to know the sensors.
+  Outcome (*run_seen)(const SeenCloud& cloud, int threads) = nullptr;
 };
 
 /// The methods of this program.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "filmsticking/reconstruct.h"
 #include "peers.h"
@@ -22,6 +24,12 @@ Outcome run(const std::vector<Point>& points, Options options, int threads) {
   outcome.mesh.triangles = std::move(result.triangles);
   for (const std::int32_t i : result.vertices) outcome.mesh.positions.push_back(points[i]);
   return outcome;
+}
+
+Outcome run_seen(const SeenCloud& cloud, Options options, int threads) {
+  if (!cloud.sensors.empty()) options.viewpoints = std::make_shared<const std::vector<Point>>(cloud.sensors);
+  options.view_direction = cloud.direction;
+  return run(cloud.points, std::move(options), threads);
 }
 
 }  // namespace
@@ -71,6 +79,14 @@ Outcome run_ours_open_origin(const std::vector<Point>& points, int threads) {
   options.open_boundary = true;
   options.viewpoint = Point{0, 0, 0};
   return run(points, options, threads);
+}
+
+Outcome run_ours_sight(const SeenCloud& cloud, int threads) { return run_seen(cloud, Options(), threads); }
+
+Outcome run_ours_open_sight(const SeenCloud& cloud, int threads) {
+  Options options;
+  options.open_boundary = true;
+  return run_seen(cloud, std::move(options), threads);
 }
 
 }  // namespace filmsticking::bench

@@ -7,13 +7,12 @@
 #include <vector>
 
 #include "filmsticking/types.h"
-#include "oriented_normals.h"
 
 namespace filmsticking::bench {
 
-/// The points with oriented normals, as PCL takes them.
-inline pcl::PointCloud<pcl::PointNormal>::Ptr with_normals(const std::vector<Point>& points) {
-  const std::vector<Point> normals = oriented_normals(points);
+/// The points with their normals, as PCL takes them.
+inline pcl::PointCloud<pcl::PointNormal>::Ptr with_normals(const std::vector<Point>& points,
+                                                           const std::vector<Point>& normals) {
   pcl::PointCloud<pcl::PointNormal>::Ptr cloud(new pcl::PointCloud<pcl::PointNormal>);
   cloud->reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {

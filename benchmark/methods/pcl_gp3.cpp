@@ -2,6 +2,7 @@
 #include <pcl/search/kdtree.h>
 #include <pcl/surface/gp3.h>
 
+#include "oriented_normals.h"
 #include "pcl_cloud.h"
 #include "peers.h"
 #include "spacing.h"
@@ -12,7 +13,7 @@ Outcome run_pcl_gp3(const std::vector<Point>& points, int) {
   constexpr double kRadiusSpacings = 4;
   Outcome outcome;
   Stopwatch watch;
-  const auto cloud = with_normals(points);
+  const auto cloud = with_normals(points, oriented_normals(points));
   const double radius = kRadiusSpacings * mean_spacing(points);
   outcome.needs_seconds = watch.lap();
 

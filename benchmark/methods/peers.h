@@ -17,12 +17,15 @@ Outcome run_paper_no_smooth(const std::vector<Point>& points, int threads);
 Outcome run_paper_no_field(const std::vector<Point>& points, int threads);
 Outcome run_ours_open(const std::vector<Point>& points, int threads);
 Outcome run_ours_open_origin(const std::vector<Point>& points, int threads);
+Outcome run_ours_sight(const SeenCloud& cloud, int threads);
+Outcome run_ours_open_sight(const SeenCloud& cloud, int threads);
 Outcome run_delaunay(const std::vector<Point>& points, int threads);
 Outcome run_cgal_advancing_front(const std::vector<Point>& points, int threads);
 Outcome run_cgal_alpha_wrap(const std::vector<Point>& points, int threads);
 Outcome run_cgal_scale_space(const std::vector<Point>& points, int threads);
 Outcome run_pcl_gp3(const std::vector<Point>& points, int threads);
 Outcome run_pcl_poisson(const std::vector<Point>& points, int threads);
+Outcome run_pcl_poisson_sight(const SeenCloud& cloud, int threads);
 Outcome run_open3d_ball_pivoting(const std::vector<Point>& points, int threads);
 Outcome run_open3d_poisson(const std::vector<Point>& points, int threads);
 

@@ -50,18 +50,37 @@ const Method* find_method(const std::string& name) {
 
 int list() {
   for (const Method& method : methods())
-    std::printf("%s\t%s\t%s\n", method.name, method.makes_mesh ? "mesh" : "time", method.description);
+    std::printf("%s\t%s\t%s\n", method.name,
+                !method.makes_mesh ? "time"
+                : method.run_seen  ? "sight"
+                                   : "mesh",
+                method.description);
   return 0;
 }
 
-int run(const Method& method, const std::string& cloud_path, const std::string& mesh_path, int threads) {
-  const std::vector<Point> points = io::positions_of(io::read_cloud(cloud_path).points);
+/// "X,Y,Z"; nothing for anything else.
+std::optional<Point> direction_of(const char* text) {
+  Point p{};
+  return text && std::sscanf(text, "%lf,%lf,%lf", &p[0], &p[1], &p[2]) == 3 ? std::optional(p) : std::nullopt;
+}
+
+SeenCloud read_seen(const std::string& path, const std::optional<Point>& direction) {
+  io::Cloud cloud = io::read_cloud(path);
+  SeenCloud seen{io::positions_of(cloud.points), std::move(cloud.viewpoints), direction};
+  if (seen.sensors.empty() && cloud.viewpoint) seen.sensors.assign(seen.points.size(), *cloud.viewpoint);
+  return seen;
+}
+
+int run(const Method& method, const SeenCloud& cloud, const std::string& mesh_path, int threads) {
+  const std::vector<Point>& points = cloud.points;
+  if (method.run_seen && cloud.sensors.empty() && !cloud.direction)
+    throw std::runtime_error("it needs to know where the points were seen from");
   std::optional<tbb::global_control> limit;
   if (threads > 0)
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
 
   const double memory_before = memory_mb("VmRSS"), cpu_before = cpu_seconds();
-  const Outcome outcome = method.run(points, threads);
+  const Outcome outcome = method.run_seen ? method.run_seen(cloud, threads) : method.run(points, threads);
   const double cpu = cpu_seconds() - cpu_before, peak = memory_mb("VmHWM");
 
   if (method.makes_mesh) {
@@ -92,8 +111,9 @@ int run(const Method& method, const std::string& cloud_path, const std::string& 
 int main(int argc, char** argv) {
   const std::string program = argv[0] ? argv[0] : "run_method";
   if (argc == 2 && std::strcmp(argv[1], "--list") == 0) return list();
-  if (argc != 4 && argc != 5) {
-    std::fputs("usage: run_method NAME CLOUD OUT.ply [THREADS]\n       run_method --list\n", stderr);
+  const std::optional<Point> direction = direction_of(argc == 6 ? argv[5] : nullptr);
+  if (argc < 4 || argc > 6 || (argc == 6 && !direction)) {
+    std::fputs("usage: run_method NAME CLOUD OUT.ply [THREADS [X,Y,Z]]\n       run_method --list\n", stderr);
     return kWrongUsage;
   }
   const Method* method = find_method(argv[1]);
@@ -102,7 +122,7 @@ int main(int argc, char** argv) {
     return kWrongUsage;
   }
   try {
-    return run(*method, argv[2], argv[3], argc == 5 ? std::atoi(argv[4]) : 0);
+    return run(*method, read_seen(argv[2], direction), argv[3], argc > 4 ? std::atoi(argv[4]) : 0);
   } catch (const std::bad_alloc&) {
     std::fputs("run_method: the memory does not suffice.\n", stderr);
     return kOutOfMemory;

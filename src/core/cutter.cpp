@@ -231,24 +231,26 @@ Candidate Cutter::refined(Candidate candidate) {
   return candidate;
 }
 
-Candidate Cutter::mended(Candidate candidate, Mend mend) {
+Candidate Cutter::moved(Candidate candidate, const std::function<bool(Labelling&)>& moves) {
   if (candidate.labels.empty()) return candidate;
-  monitor_.enter("gaps", monitor_.share());
   LabelCosts costs{evidence_.cost, std::move(candidate.hold), off_prices()};
   Labelling labelling(mesh_, geometry_, costs, candidate.labels, monitor_.cancel());
   repair(labelling, exempt(candidate.labels, candidate.open));  // takes the census
-  if (mend == Mend::Plugs) {
-    mend_plugs(labelling);
-    if (labelling.counts.tunnels + labelling.counts.tears == 0) {
-      candidate.hold = std::move(costs.hold);
-      return candidate;
-    }
-  } else {
-    filmsticking::mend(labelling, sites_.perturbed);
-  }
-  settle(labelling, candidate);
+  const bool changed = moves(labelling);
+  if (changed) settle(labelling, candidate);
   candidate.hold = std::move(costs.hold);
-  return measured(std::move(candidate));
+  return changed ? measured(std::move(candidate)) : candidate;
+}
+
+Candidate Cutter::plugged(Candidate candidate) {
+  monitor_.enter("gaps", monitor_.share());
+  return moved(std::move(candidate), [](Labelling& labelling) { return plug_gaps(labelling) > 0; });
+}
+
+Candidate Cutter::mended(Candidate candidate) {
+  monitor_.enter("gaps", monitor_.share());
+  return moved(std::move(candidate),
+               [&](Labelling& labelling) { return mend(labelling, sites_.perturbed), true; });
 }
 
 Candidate Cutter::by_film(std::vector<char> labels, const UnsetVector<std::array<float, 4>>& prices) {
@@ -265,13 +267,7 @@ Candidate Cutter::by_film(std::vector<char> labels, const UnsetVector<std::array
 
 Candidate Cutter::warped(Candidate candidate, const std::vector<char>& aim) {
   monitor_.enter("manifold", monitor_.share());
-  LabelCosts costs{evidence_.cost, std::move(candidate.hold), off_prices()};
-  Labelling labelling(mesh_, geometry_, costs, candidate.labels, monitor_.cancel());
-  repair(labelling, exempt(candidate.labels, candidate.open));  // takes the census
-  warp(labelling, aim);
-  settle(labelling, candidate);
-  candidate.hold = std::move(costs.hold);
-  return measured(std::move(candidate));
+  return moved(std::move(candidate), [&](Labelling& labelling) { return warp(labelling, aim), true; });
 }
 
 // Sites at which the labels need no manifold: an open surface must be one without its bridge faces only.

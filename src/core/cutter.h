@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -84,12 +85,10 @@ class Cutter {
   /// Gaps are filled later: a surface with filled gaps would keep the errors beside them in the next cut.
   Candidate refined(Candidate candidate);
 
-  enum class Mend {
-    Plugs,  ///< only plugs: quick
-    All,    ///< all moves
-  };
-  /// Closes chance gaps and opens cavities.
-  Candidate mended(Candidate candidate, Mend mend = Mend::All);
+  /// Closes most chance gaps, quickly.
+  Candidate plugged(Candidate candidate);
+  /// Of a plugged one: closes other chance gaps, joins shards, opens cavities.
+  Candidate mended(Candidate candidate);
 
   /// The labels of a film: a manifold, with the sites that are near.
   Candidate by_film(std::vector<char> labels, const UnsetVector<std::array<float, 4>>& prices);
@@ -107,6 +106,7 @@ class Cutter {
 
  private:
   struct Cuts;
+  Candidate moved(Candidate candidate, const std::function<bool(Labelling&)>& moves);
   void settle(Labelling& labelling, Candidate& candidate) const;
   double least_energy(const std::vector<char>& labels, bool open) const;
   Cuts several_cuts(const std::vector<double>& hold, const CutLimits& limits);

@@ -48,6 +48,8 @@ constexpr double kLittleConflict = 0.005;
 // Price per fraction of area that faces away from the viewpoint.
 constexpr double kTurnedPrice = 0.5;
 
+bool is_clear(const Candidate& cut) { return !cut.empty() && cut.missed <= kClear; }
+
 }  // namespace
 
 Pipeline::Pipeline(const PointsView& points, const SiteSet& sites, const SiteGeometry& geometry,
@@ -99,32 +101,38 @@ bool Pipeline::look(std::vector<Vec3> from) {
 // Most clouds are clear: the first cut, by the field that starts from the film, misses hardly a site.
 Candidate Pipeline::labelling() {
   if (!guessed_) look(site_viewpoints(sites_, options_));
+  if (inside_) {
+    Candidate room = cutter_.cut_field(cutter_.turn_sight_over(), open_);
+    if (is_clear(room)) return without_gaps(std::move(room));
+    cutter_.turn_sight_over();
+  }
   const std::vector<char> film = film_from_sphere();
   Candidate first = cutter_.cut_field(belief_of(film), open_);
-  if (first.missed > kClear && !viewpoints_.empty() && !inside_)
+  if (!viewpoints_.empty() && !inside_ && !is_clear(first))
     first = or_blind(std::move(first), belief_of(film));
-  if (first.missed <= kClear && !first.empty())
-    // With a handle or a second component it may have walls, if no thin ones.
-    return first.quality.complexity > 1 ? cutter_.mended(std::move(first), Cutter::Mend::Plugs) : first;
+  if (is_clear(first)) return without_gaps(std::move(first));
 
   if (first.missed > kUnclear && viewpoints_.empty()) first = or_seen(std::move(first), belief_of(film));
   // Their energies change order once their own normals are known and chance gaps are plugged.
-  Candidate best, plugged;
+  Candidate best;
   for (Candidate& start : starts(std::move(first))) {
-    Candidate fine = cutter_.refined(std::move(start));
-    Candidate quick = cutter_.mended(fine, Cutter::Mend::Plugs);
-    if (best.empty() || less(quick, plugged)) best = std::move(fine), plugged = std::move(quick);
+    Candidate fine = cutter_.plugged(cutter_.refined(std::move(start)));
+    if (best.empty() || less(fine, best)) best = std::move(fine);
   }
   best = cutter_.mended(std::move(best));
-  if (inside_) best = or_room(std::move(best));
-  return best;
+  return inside_ ? or_room(std::move(best)) : best;
+}
+
+// A clear cut with a handle or a second component may have walls, if no thin ones.
+Candidate Pipeline::without_gaps(Candidate clear) {
+  return clear.quality.complexity > 1 ? cutter_.plugged(std::move(clear)) : clear;
 }
 
 // Sight from outside is wrong where the cut is clear only without it.
 Candidate Pipeline::or_blind(Candidate seen, std::vector<double> guess) {
   std::vector<float> votes = cutter_.forget_sight();
   Candidate blind = cutter_.cut_field(std::move(guess), open_);
-  if (!blind.empty() && blind.missed <= kClear) {
+  if (is_clear(blind)) {
     viewpoints_.clear();
     inside_ = false;
     return blind;
@@ -149,7 +157,8 @@ Candidate Pipeline::or_seen(Candidate first, std::vector<double> guess) {
 
 // Sensors that are inside the hull may be in a room: its air is the inside then, its walls are no shells.
 Candidate Pipeline::or_room(Candidate best) {
-  Candidate room = cutter_.mended(cutter_.refined(cutter_.cut_field(cutter_.turn_sight_over(), open_)));
+  Candidate room = cutter_.refined(cutter_.cut_field(cutter_.turn_sight_over(), open_));
+  room = cutter_.mended(cutter_.plugged(std::move(room)));
   return less(room, best) ? std::move(room) : std::move(best);
 }
 

@@ -40,6 +40,7 @@ class Pipeline {
  private:
   bool look(std::vector<Vec3> from);
   Candidate labelling();
+  Candidate without_gaps(Candidate clear);
   std::vector<Candidate> starts(Candidate first);
   Candidate or_blind(Candidate seen, std::vector<double> guess);
   Candidate or_seen(Candidate first, std::vector<double> guess);

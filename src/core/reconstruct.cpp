@@ -15,6 +15,7 @@
 #include "failure.h"
 #include "geometry/monitor.h"
 #include "pipeline.h"
+#include "points/even_units.h"
 #include "points/filling.h"
 #include "points/outliers.h"
 #include "points/site_set.h"
@@ -110,6 +111,22 @@ void run(const PointsView& points, Options options, const Execution& execution, 
   result.status = Status::Ok;
 }
 
+// A map's heights may have another unit than its places.
+void run_in_even_units(const PointsView& points, const Options& options, const Execution& execution,
+                       Result& result) {
+  std::vector<Point> even;
+  if (options.view_direction) {
+    check_options(options, points.size());
+    const Point& d = *options.view_direction;
+    even = in_even_units(points, Vec3(d[0], d[1], d[2]));
+  }
+  run(even.empty() ? points : PointsView(even), options, execution, result);
+  if (!even.empty() && result.report.warning.empty())
+    result.report.warning =
+        "heights are taken for another unit than places on the map, as metres beside degrees; scale them if "
+        "they are not";
+}
+
 void fail(Result& result, Status status, std::string message) {
   result.status = status;
   result.message = std::move(message);
@@ -133,7 +150,7 @@ Result reconstruct(const PointsView& points, const Options& options, const Execu
   };
   try {
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-    arena.execute([&] { run(points, options, execution, result); });
+    arena.execute([&] { run_in_even_units(points, options, execution, result); });
   } catch (const Failure& failure) {
     failed(failure.status, failure.message.c_str());
   } catch (const Cancelled&) {

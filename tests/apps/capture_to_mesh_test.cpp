@@ -10,6 +10,7 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -63,6 +64,13 @@ nlohmann::json compare(const std::string& mesh, const std::string& truth) {
   const Outcome outcome = run_program({MESH_REPORT, mesh, "--truth", truth, "--json"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   return nlohmann::json::parse(outcome.out);
+}
+
+std::vector<stream::Pose> poses_of(const std::string& path) {
+  const stream::Trajectory trajectory = stream::parse_trajectory(io::read_file(path));
+  std::vector<stream::Pose> poses;
+  for (std::size_t k = 0; k < trajectory.size(); ++k) poses.push_back(trajectory[k]);
+  return poses;
 }
 
 /// A turntable capture of Spot, made once: a mesh as the truth, range images with and without their poses.
@@ -120,6 +128,14 @@ TEST_F(Turntable, WithATrajectory) {
   EXPECT_NE(outcome.out.find("28 used, 0 left out"), std::string::npos) << outcome.out;
   expect_spot(file("given.ply"));
   EXPECT_GE(read_points(file("cloud.ply")).size(), read_points(file("given.ply")).size());
+
+  // The fused cloud says where its points were seen from.
+  std::set<Point> sensors;
+  for (const stream::Pose& pose : poses_of(file("poses.txt")))
+    sensors.insert({pose.translation().x(), pose.translation().y(), pose.translation().z()});
+  const std::vector<Point> seen_from = io::read_cloud(file("cloud.ply")).viewpoints;
+  ASSERT_EQ(seen_from.size(), read_points(file("cloud.ply")).size());
+  for (const Point& p : seen_from) ASSERT_EQ(sensors.count(p), 1u) << p[0] << " " << p[1] << " " << p[2];
 }
 
 TEST_F(Turntable, WithTheCloudsOwnPoses) {

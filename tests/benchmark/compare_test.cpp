@@ -2,6 +2,7 @@
 // compare as a user runs it, on small clouds.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -268,6 +269,60 @@ TEST(Compare, Scans) {
   EXPECT_NE(read_text(folder / "out.md").find("| volume | 0 of 2 |"), std::string::npos);
 }
 
+TEST(Compare, ScansWithSensors) {
+  const ScratchFolder folder;
+  const Outcome outcome =
+      compare({"scans", "--kinds", "cliffs", "--seeds", "1", "--csv", folder / "out.csv"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<Fields> rows = read_rows(folder / "out.csv");
+  ASSERT_EQ(rows.size(), 2U);
+  for (const Fields& row : rows) EXPECT_EQ(row.at("status"), "ok") << row.at("message");
+  EXPECT_EQ(rows[1].at("method"), "ours-open-sight");
+  EXPECT_GT(number(rows[1], "front"), 0.95);
+}
+
+TEST(Compare, MethodsThatNeedSensorsSaySo) {
+  const ScratchFolder folder;
+  const Outcome outcome = compare(
+      {"quality", "sphere", "--points", "200", "--methods", "ours-sight", "--csv", folder / "out.csv"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(read_rows(folder / "out.csv")[0].at("status"), "failed");
+  EXPECT_NE(outcome.out.find("seen from"), std::string::npos) << outcome.out;
+}
+
+TEST(Compare, Berger) {
+  const ScratchFolder folder;
+  std::vector<Point> points, cameras;  // of a ball, from all around
+  std::string probes;
+  for (int i = 0; i < 1000; ++i) {
+    const double z = 1 - (2 * i + 1.0) / 1000, r = std::sqrt(1 - z * z), angle = 2.399963 * i;
+    points.push_back({r * std::cos(angle), r * std::sin(angle), z});
+    cameras.push_back({9 * r * std::cos(angle), 9 * r * std::sin(angle), 9 * z});
+  }
+  for (int i = 0; i < 4000; ++i) {
+    const float p[4] = {static_cast<float>(i % 16) / 5 - 1.5F, static_cast<float>(i / 16 % 16) / 5 - 1.5F,
+                        static_cast<float>(i / 256) / 5 - 1.5F, 0};
+    const float record[4] = {p[0], p[1], p[2], p[0] * p[0] + p[1] * p[1] + p[2] * p[2] < 1 ? 1.0F : 0.0F};
+    probes.append(reinterpret_cast<const char*>(record), sizeof record);
+  }
+  io::write_mesh(folder / "ball.ply",
+                 io::with_named_stations(io::with_stations(io::make_cloud(points), cameras)), {});
+  write_text(folder / "ball.occupancy.f32", probes);
+  const Outcome outcome =
+      compare({"berger", folder / "", "--methods", "ours-sight,cgal-advancing-front,fault-throw", "--csv",
+               folder / "out.csv", "--markdown", folder / "out.md"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<Fields> rows = read_rows(folder / "out.csv");
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_GT(number(rows[0], "iou"), 0.95);
+  EXPECT_EQ(rows[2].at("iou"), "");
+  EXPECT_NE(read_text(folder / "out.md").find("| ball | fault-throw | failed |"), std::string::npos);
+
+  write_text(folder / "ball.occupancy.f32", probes + "x");
+  EXPECT_EQ(compare({"berger", folder / ""}).status, 1);
+  EXPECT_EQ(compare({"berger", folder / "absent"}).status, 1);
+}
+
 TEST(Compare, Sheet) {
   const ScratchFolder folder;
   const Outcome outcome = compare({"sheet", "sphere", TEST_DATA "/bun0.pcd", "--points", "300", "--methods",
@@ -299,6 +354,7 @@ TEST(Compare, WhatMakesNoSenseIsRefusedInASentence) {
       {"quality", "sphere", "--where", "no equals sign"},
       {"quality", "sphere", "--kinds", "tube"},
       {"scans", "sphere"},
+      {"berger"},
       {"scans", "--kinds", "magic"}};
   for (const auto& arguments : wrong) {
     const Outcome outcome = compare(arguments);

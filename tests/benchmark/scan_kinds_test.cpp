@@ -6,10 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <stdexcept>
 
+#include "clouds/ray_scene.h"
 #include "clouds/shapes.h"
+#include "compare/occupancy.h"
 #include "compare/scan_result.h"
 #include "compare/scan_table.h"
 
@@ -46,7 +49,12 @@ TEST(ScanKinds, HaveTheirNumbersOfPoints) {
                              {"tool", 8005, 8005},
                              {"volume", 6000, 6000},
                              {"corners", 600, 4000},
-                             {"far_few", 10010, 10010}})
+                             {"far_few", 10010, 10010},
+                             {"room", 15990, 16000},
+                             {"corner", 15990, 16000},
+                             {"lidar", 15000, 32 * 900},
+                             {"cliffs", 5600, 6300},
+                             {"sea_bed", 5929, 5929}})
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       const std::size_t count = make_scan(known.kind, seed).points.size();
       EXPECT_GE(count, known.least) << known.kind;
@@ -124,6 +132,104 @@ TEST(ScanKinds, StraysAreFarAway) {
   EXPECT_EQ(strays, 5);
 }
 
+TEST(ScanKinds, NothingStandsBetweenAPointAndItsSensor) {
+  RayScene scene;
+  scene.rooms = {{{0, 0, 0}, {4, 4, 3}}, {{4, 0, 0}, {6, 1, 3}}};
+  scene.boxes = {{{1, 2, 0}, {2, 3, 1}}};
+  scene.poles = {{3, 3, 0.1, 2}};
+  EXPECT_NEAR(scene.first_hit({0.5, 2.5, 0.5}, {1, 0, 0}), 0.5, 1e-12);  // the box
+  EXPECT_NEAR(scene.first_hit({0.5, 2.5, 1.5}, {1, 0, 0}), 3.5, 1e-12);  // the wall over it
+  EXPECT_NEAR(scene.first_hit({0.5, 0.5, 1.5}, {1, 0, 0}), 5.5, 1e-12);  // the wall of the other room
+  EXPECT_NEAR(scene.first_hit({2.5, 3, 1.5}, {1, 0, 0}), 0.4, 1e-12);    // the pole
+  EXPECT_NEAR(scene.first_hit({2.5, 3, 2.5}, {1, 0, 0}), 1.5, 1e-12);    // over it
+  scene.rooms.clear();
+  EXPECT_EQ(scene.first_hit({0.5, 2.5, 1.5}, {-1, 0, 0}), INFINITY);
+  scene.ground = true;
+  EXPECT_NEAR(scene.first_hit({0.5, 2.5, 1.5}, {0, 0, -1}), 1.5, 1e-12);
+}
+
+TEST(ScanKinds, SensorsAreThoseOfTheirPoints) {
+  for (const char* kind : {"room", "corner", "lidar"}) {
+    const Scan scan = make_scan(kind, 7);
+    ASSERT_EQ(scan.sensors.size(), scan.points.size()) << kind;
+    std::map<Point, std::set<Point>> directions;
+    for (std::size_t i = 0; i < scan.points.size(); ++i) {
+      const double way = distance(scan.points[i], scan.sensors[i]);
+      directions[scan.sensors[i]].insert({std::round(1e4 * (scan.points[i][0] - scan.sensors[i][0]) / way),
+                                          std::round(1e4 * (scan.points[i][1] - scan.sensors[i][1]) / way),
+                                          std::round(1e4 * (scan.points[i][2] - scan.sensors[i][2]) / way)});
+    }
+    EXPECT_LE(directions.size(), 4U) << kind;
+    // Each of a scanner's rays has one hit; points of other sensors would share directions by chance.
+    std::size_t rays = 0;
+    for (const auto& [sensor, of] : directions) rays += of.size();
+    EXPECT_GT(rays, scan.points.size() * 999 / 1000) << kind;
+  }
+  EXPECT_EQ(make_scan("cliffs", 1).direction, (Point{0, 0, -1}));
+}
+
+TEST(ScanResults, BordersFrontsAndUsedPointsAreCounted) {
+  Mesh mesh = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {9, 9, 9}},
+               {{0, 1, 2}, {0, 2, 3}, {4, 6, 5}}};
+  Scan scan;
+  scan.size = 6;
+  scan.points = mesh.positions;
+  scan.direction = Point{0, 0, -2};
+  ScanMeasures found = measure_scan(mesh, scan);
+  EXPECT_EQ(found.borders, 2);
+  EXPECT_EQ(found.used, 7.0 / 8);
+  EXPECT_NEAR(*found.front, 2.0 / 3, 1e-12);  // the third triangle looks down
+  scan.direction.reset();
+  scan.sensors.assign(4, Point{0, 0, -3});  // the square was seen from below
+  scan.sensors.resize(8, Point{NAN, NAN, NAN});
+  for (std::size_t i = 4; i < 8; ++i) scan.sensors[i] = {0, 0, -3};
+  found = measure_scan(mesh, scan);
+  EXPECT_NEAR(*found.front, 1.0 / 3, 1e-12);
+  scan.sensors.clear();
+  EXPECT_FALSE(measure_scan(mesh, scan).front);
+}
+
+TEST(ScanResults, FaultsOfSeenSurfacesAreNamed) {
+  Scan scan;
+  scan.size = 1;
+  scan.least_used = 0.9;
+  scan.most_borders = 2;
+  scan.least_front = 0.95;
+  const auto fault = [&](double used, int borders, double front) {
+    ScanResult result;
+    result.row.set("status", "ok");
+    ScanMeasures measures;
+    measures.used = used, measures.borders = borders, measures.front = front;
+    judge_scan(result, scan, &measures);
+    return result.wrong;
+  };
+  EXPECT_EQ(fault(0.95, 2, 0.99), "");
+  EXPECT_EQ(fault(0.85, 2, 0.99), "0.850 of the points used");
+  EXPECT_EQ(fault(0.95, 3, 0.99), "3 borders");
+  EXPECT_EQ(fault(0.95, 2, 0.1), "front on 0.100");
+}
+
+TEST(Occupancy, OverlapsAreThoseOfTheSolids) {
+  const Mesh slab = make_shape("slab:1", 400);  // 1 by 1
+  double thick = 0, low = 9;
+  for (const Point& p : slab.positions) thick = std::max(thick, p[2]), low = std::min(low, p[2]);
+  std::vector<Probe> probes;  // of a slab of twice the width
+  for (int i = -30; i < 60; ++i)
+    for (int k = -4; k < 8; ++k) {
+      const double x = (i + 0.5) / 30, z = low + (k + 0.5) / 4 * (thick - low);
+      probes.push_back({{x, 0.5, z}, x > 0 && x < 2 && k >= 0 && k < 4});
+    }
+  const auto half = overlap(slab, probes);
+  ASSERT_TRUE(half);
+  EXPECT_NEAR(half->iou, 0.5, 1e-12);
+  EXPECT_NEAR(half->missing, 0.5, 1e-12);
+  EXPECT_EQ(half->extra, 0);
+  Mesh open = slab;
+  open.triangles.pop_back();
+  EXPECT_FALSE(overlap(open, probes));
+  EXPECT_FALSE(overlap({}, probes));
+}
+
 TEST(ScanKinds, NeededPointsAreAmongThePoints) {
   for (const char* kind : {"corners", "far_few"}) {
     const Scan scan = make_scan(kind, 5);
@@ -168,7 +274,7 @@ TEST(ScanResults, TheFirstFaultIsNamed) {
     result.row.set("components", "1");
     result.row.set("genus", "0");
     if (*column) result.row.set(column, text);
-    const ScanMeasures measures{volume, 9, longest, 1, 0};
+    const ScanMeasures measures{volume, 9, longest, 1, 0, 0, 1, {}};
     judge_scan(result, scan, &measures);
     return result.wrong;
   };
@@ -197,7 +303,8 @@ TEST(ScanResults, TheTableHasARowForEachKind) {
   }
   results[1].wrong = "genus 1";
   const std::string text = scan_tables(results);
-  EXPECT_NE(text.find("| tube | 1 of 2 | 0.950 | 0.250 | 2.00 |\n| rings | 1 of 1 | 1.10 | 0.500 | 2.00 |"),
+  EXPECT_NE(text.find("| tube | 1 of 2 | 0.950 | 0.250 | - | - | 2.00 | - |\n"
+                      "| rings | 1 of 1 | 1.10 | 0.500 | - | - | 2.00 | - |"),
             std::string::npos)
       << text;
   EXPECT_NE(text.find("- tube, seed 2: genus 1\n"), std::string::npos) << text;

@@ -94,6 +94,14 @@ def stockpile(path):
     write_xyz(path, points)
 
 
+def terrain(path):
+    """A raster of heights in UTM, with a step of three cells and without the cells of a pond."""
+    rng = random.Random(5)
+    write_xyz(path, [(483000 + x, 5457000 + y,
+                      200 + 2 * math.sin(x / 9) + (3 if x + y > 50 else 0) + rng.gauss(0, 0.03))
+                     for x in range(60) for y in range(50) if (x - 18) ** 2 + (y - 14) ** 2 > 36])
+
+
 def printed_part(path):
     """A plate of 40 x 30 x 10 mm with a bore of 12 mm."""
     rng, points = random.Random(4), []
@@ -117,6 +125,7 @@ def write_all(data, folder):
     shutil.copytree(data + "/spot_turntable", folder + "/turntable")
     room_stations(folder + "/stations")
     stockpile(folder + "/stockpile.xyz")
+    terrain(folder + "/terrain.xyz")
     printed_part(folder + "/part.xyz")
     shutil.copy(data + "/spot_10k.ply", folder + "/scan.ply")
     depth_frame(folder + "/frame.pcd")

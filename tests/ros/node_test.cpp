@@ -24,6 +24,7 @@
 #include "conversions.h"
 #include "io/formats.h"
 #include "support/clouds.h"
+#include "support/facing.h"
 #include "support/surface_check.h"
 
 namespace filmsticking::stream {
@@ -384,6 +385,32 @@ TEST_F(NodeTest, MovesCloudsToTheFixedFrame) {
   expect_good_mesh(mesh_at(at), moved);
   const auto message = meshes.wait([at](const auto& mesh) { return mesh.header.stamp == at; });
   EXPECT_EQ(message->header.frame_id, "map");
+}
+
+TEST_F(NodeTest, AnOpenMeshFacesTheSensor) {
+  tf2_ros::StaticTransformBroadcaster broadcaster;
+  set("fixed_frame", std::string("map"));
+  set("open", true);
+  test::Random random(8);
+  std::vector<Point> cloud;  // a wall, two in front of the sensor
+  for (int i = 0; i < 2000; ++i)
+    cloud.push_back({2 + random.uniform(0, 0.01), random.uniform(-1, 1), random.uniform(-1, 1)});
+  for (const bool turned : {false, true}) {
+    geometry_msgs::TransformStamped transform;
+    transform.header.frame_id = "map";
+    transform.child_frame_id = turned ? "turned" : "straight";
+    transform.transform.translation.x = turned ? 20 : 16;
+    transform.transform.rotation.z = turned ? 1 : 0;
+    transform.transform.rotation.w = turned ? 0 : 1;
+    broadcaster.sendTransform(transform);
+    const Mesh mesh = mesh_at(publish(cloud, transform.child_frame_id));
+    EXPECT_GT(mesh.positions.size(), 1900u);
+    EXPECT_GT(test::facing_share(mesh,
+                                 [&](const Point&) {
+                                   return Point{turned ? 20.0 : 16.0, 0, 0};
+                                 }),
+              0.95);
+  }
 }
 
 TEST_F(NodeTest, ABurstEndsWithTheNewestAndIsTold) {

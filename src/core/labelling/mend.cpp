@@ -68,7 +68,6 @@ void try_discs(Mending& mending, const std::vector<Vec3>& sites, double radius, 
 
 void fill_gaps(Mending& mending, const std::vector<Vec3>& sites) {
   Labelling& labelling = mending.labelling;
-  try_plugs(mending);
   for (const double radius : kCapRadii)
     if (!labelling.spent())
       mending.try_all(caps(labelling, sites, radius), 0, {kPrices.tunnel, kPrices.tear, 0, true});
@@ -97,9 +96,12 @@ void mend(Labelling& labelling, const std::vector<Vec3>& sites) {
   try_bars(mending, sites);
 }
 
-void mend_plugs(Labelling& labelling) {
+std::int64_t plug_gaps(Labelling& labelling) {
   Mending mending(labelling);
+  const auto mends = [&] { return labelling.counts.tunnels + labelling.counts.tears; };
+  const std::int64_t before = mends();
   if (!is_whole(mending)) try_plugs(mending);
+  return mends() - before;
 }
 
 }  // namespace filmsticking

@@ -6,27 +6,23 @@
 
 namespace filmsticking {
 
-Index turn_to_sensors(Surface& surface, const SurfaceTopology& topology,
+Index turn_to_sensors(Surface& surface, const std::vector<Index>& component,
                       const std::vector<Vec3>& viewpoints) {
-  std::vector<double> front(static_cast<std::size_t>(topology.components), 0);
-  std::vector<char> open(front.size(), 0);
-  for (Index t = 0; t < static_cast<Index>(topology.component.size()); ++t) {
-    const Index c = topology.component[t];
+  std::vector<double> front;
+  for (Index t = 0; t < static_cast<Index>(component.size()); ++t) {
+    const auto c = static_cast<std::size_t>(component[t]);
+    if (c >= front.size()) front.resize(c + 1, 0);
     const Vec3 area = surface.area_vector2(t);
     for (int k = 0; k < 3; ++k) {
-      open[c] = open[c] || topology.twin[3 * t + k] == kNone;
       const Index corner = surface.triangles[t][k];
       const Vec3 line = viewpoints[surface.site[corner]] - surface.positions[corner];
       if (line.allFinite()) front[c] += area.dot(line.stableNormalized());
     }
   }
-  for (Index t = 0; t < static_cast<Index>(topology.component.size()); ++t) {
-    const Index c = topology.component[t];
-    if (open[c] && front[c] < 0) std::swap(surface.triangles[t][1], surface.triangles[t][2]);
+  for (Index t = 0; t < static_cast<Index>(component.size()); ++t) {
+    if (front[component[t]] < 0) std::swap(surface.triangles[t][1], surface.triangles[t][2]);
   }
-  Index turned = 0;
-  for (std::size_t c = 0; c < front.size(); ++c) turned += open[c] && front[c] < 0;
-  return turned;
+  return static_cast<Index>(std::count_if(front.begin(), front.end(), [](double f) { return f < 0; }));
 }
 
 }  // namespace filmsticking

@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "geometry/surface.h"
-#include "geometry/triangle_adjacency.h"
 
 namespace filmsticking {
 
-/// Turns over the components with a boundary that show their backs to what saw them, by the angles at which
-/// the lines of sight meet their faces. `viewpoints`: [site], not finite if unknown. `topology`: that of the
-/// triangles before. Returns the number of components turned.
-Index turn_to_sensors(Surface& surface, const SurfaceTopology& topology, const std::vector<Vec3>& viewpoints);
+/// Turns over the components that show their backs to what saw them, by the angles at which the lines of sight
+/// meet their faces: a room without a gap is closed, and shows its front to what stands inside. `component`:
+/// [triangle]. `viewpoints`: [site], not finite if unknown. Returns the number of components turned.
+Index turn_to_sensors(Surface& surface, const std::vector<Index>& component,
+                      const std::vector<Vec3>& viewpoints);
 
 }  // namespace filmsticking

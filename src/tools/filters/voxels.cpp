@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pcl/filters/voxel_grid.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/search/kdtree.h>
 
 #include <algorithm>
 #include <array>
@@ -7,6 +10,8 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "io/cloud.h"
 #include "steps.h"
@@ -75,6 +80,33 @@ void check_cells(const pcl::PCLPointCloud2& cloud, double leaf) {
     throw FilterError("the voxels are too small for this cloud: there would be too many");
 }
 
+/// Each mean with the sensor of the point nearest to it: a mean of sensors would stand between them.
+pcl::PCLPointCloud2 with_sensors(pcl::PCLPointCloud2 means, const pcl::PCLPointCloud2& cloud) {
+  const std::vector<Point> sensors = io::viewpoints_of(cloud);
+  if (sensors.empty()) return means;
+  const auto to_pcl = [](const pcl::PCLPointCloud2& from) {
+    pcl::PointCloud<pcl::PointXYZ>::Ptr points(new pcl::PointCloud<pcl::PointXYZ>);
+    for (const Point& p : io::positions_of(from))
+      points->push_back({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
+    return points;
+  };
+  pcl::search::KdTree<pcl::PointXYZ> tree;
+  tree.setInputCloud(to_pcl(cloud));
+  std::vector<Point> nearest;
+  pcl::Indices found(1);
+  std::vector<float> distances(1);
+  const auto places = to_pcl(means);
+  for (const pcl::PointXYZ& mean : *places) {
+    tree.nearestKSearch(mean, 1, found, distances);
+    nearest.push_back(sensors[static_cast<std::size_t>(found[0])]);
+  }
+  means.fields.erase(
+      std::remove_if(means.fields.begin(), means.fields.end(),
+                     [](const pcl::PCLPointField& field) { return io::is_viewpoint(field.name); }),
+      means.fields.end());
+  return io::with_stations(means, nearest);
+}
+
 }  // namespace
 
 pcl::PCLPointCloud2 one_point_a_voxel(const pcl::PCLPointCloud2& cloud, double leaf) {
@@ -87,7 +119,7 @@ pcl::PCLPointCloud2 one_point_a_voxel(const pcl::PCLPointCloud2& cloud, double l
   filter.setLeafSize(size, size, size);
   pcl::PCLPointCloud2 means;
   filter.filter(means);
-  return means;
+  return with_sensors(std::move(means), cloud);
 }
 
 }  // namespace filmsticking::filters

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -144,6 +145,15 @@ std::vector<Colour> colours_of(const pcl::PCLPointCloud2& cloud) {
   return colours;
 }
 
+bool is_station(const std::string& name) {
+  return std::find(std::begin(kStationFields), std::end(kStationFields), name) != std::end(kStationFields);
+}
+
+bool is_viewpoint(const std::string& name) {
+  return is_station(name) ||
+         std::find(std::begin(kViewpointAxes), std::end(kViewpointAxes), name) != std::end(kViewpointAxes);
+}
+
 std::vector<Point> viewpoints_of(const pcl::PCLPointCloud2& cloud) {
   check_fields(cloud);
   for (const auto& names : {kViewpointAxes, kStationFields}) {
@@ -248,6 +258,32 @@ pcl::PCLPointCloud2 with_stations(const pcl::PCLPointCloud2& cloud, const std::v
     std::memcpy(to + cloud.point_step, stations[i].data(), sizeof(Point));
   }
   return placed;
+}
+
+pcl::PCLPointCloud2 without_stations(const pcl::PCLPointCloud2& cloud) {
+  std::vector<pcl::PCLPointField> fields;
+  std::vector<std::size_t> from;
+  std::size_t step = 0;
+  for (const pcl::PCLPointField& field : cloud.fields) {
+    if (is_station(field.name)) continue;
+    from.push_back(field.offset);
+    fields.push_back(make_field(field.name, step, field.datatype, std::max(1U, field.count)));
+    step += size_of(Scalar{field.datatype}) * std::max(1U, field.count);
+  }
+  if (fields.size() == cloud.fields.size()) return cloud;
+  pcl::PCLPointCloud2 plain = make_rows(fields, step, size_of(cloud));
+  plain.header = cloud.header;
+  for (std::size_t i = 0; i < size_of(cloud); ++i)
+    for (std::size_t k = 0; k < fields.size(); ++k)
+      std::copy_n(bytes_of(cloud, i) + from[k], size_of(Scalar{fields[k].datatype}) * fields[k].count,
+                  plain.data.data() + i * step + fields[k].offset);
+  return plain;
+}
+
+pcl::PCLPointCloud2 with_named_stations(pcl::PCLPointCloud2 cloud) {
+  for (pcl::PCLPointField& field : cloud.fields)
+    if (is_station(field.name)) field.name.erase(0, 1);
+  return cloud;
 }
 
 pcl::PCLPointCloud2 with_float_positions(pcl::PCLPointCloud2 cloud) {

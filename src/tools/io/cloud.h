@@ -84,6 +84,10 @@ std::vector<Colour> colours_of(const pcl::PCLPointCloud2& cloud);
 /// The fields of where the sensor of a point was, where the file has no such fields but says it otherwise.
 constexpr const char* kStationFields[3] = {"_vp_x", "_vp_y", "_vp_z"};
 
+/// Whether the name is one of kStationFields; or one of these or vp_x, vp_y, vp_z.
+bool is_station(const std::string& name);
+bool is_viewpoint(const std::string& name);
+
 /// Where the sensor of each point was, from the fields vp_x, vp_y, vp_z of any number types, or those of
 /// kStationFields; empty if one is missing.
 std::vector<Point> viewpoints_of(const pcl::PCLPointCloud2& cloud);
@@ -116,6 +120,12 @@ bool float_suffices(const pcl::PCLPointCloud2& cloud);
 
 /// The cloud with the fields of kStationFields: where each point was seen from.
 pcl::PCLPointCloud2 with_stations(const pcl::PCLPointCloud2& cloud, const std::vector<Point>& stations);
+
+/// The cloud without the fields of kStationFields and without their bytes.
+pcl::PCLPointCloud2 without_stations(const pcl::PCLPointCloud2& cloud);
+
+/// The cloud with the fields of kStationFields as vp_x, vp_y, vp_z, which files keep.
+pcl::PCLPointCloud2 with_named_stations(pcl::PCLPointCloud2 cloud);
 
 /// The cloud with the fields normal_x, normal_y and normal_z, FLOAT32; all other fields, and rows, are kept.
 /// `normals`: one a point. Throws IoError as make_rows() does.

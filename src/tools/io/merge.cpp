@@ -84,8 +84,7 @@ void append(Cloud& cloud, Cloud other) {
     if (!is_position(field.name) && !same_field(cloud.points, field)) lost.insert(field.name);
   std::string names;
   for (const std::string& name : lost)
-    if (std::find(kStationFields, kStationFields + 3, name) == kStationFields + 3)
-      names += (names.empty() ? "" : ", ") + name;
+    if (!is_station(name)) names += (names.empty() ? "" : ", ") + name;
   pcl::PCLPointCloud2 both = make_rows(fields, step, size_of(cloud.points) + size_of(other.points));
   const PositionFields positions(both);
   copy_points(cloud.points, false, copies, positions, step, both.data.data());

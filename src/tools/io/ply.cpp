@@ -257,8 +257,7 @@ struct Written {
 std::vector<Written> written_of(const pcl::PCLPointField& field) {
   const auto type = static_cast<Scalar>(field.datatype);
   if (field.name == "x" || field.name == "y" || field.name == "z" || field.name == "_") return {};
-  if (std::find(std::begin(kStationFields), std::end(kStationFields), field.name) != std::end(kStationFields))
-    return {};  // a mesh is seen from anywhere
+  if (is_station(field.name)) return {};  // a mesh is seen from anywhere
   if ((field.name == "rgb" || field.name == "rgba") && size_of(type) == 4) {
     std::vector<Written> channels = {{"red", Scalar::UInt8, field.offset + 2UL},
                                      {"green", Scalar::UInt8, field.offset + 1UL},

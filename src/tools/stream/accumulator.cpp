@@ -20,7 +20,9 @@ std::optional<std::string> Accumulator::add(const Frame& frame) {
       if (!(width > 0)) width = 1;  // all points are the same
       fused_.emplace(width, options_.most_points);
     }
-    fused_->add(moved(points, *placement.pose), io::colours_of(cloud));
+    const Eigen::Vector3d at = placement.pose->translation();
+    fused_->add(moved(points, *placement.pose), io::colours_of(cloud),
+                placement.sensor_known ? std::optional(Point{at.x(), at.y(), at.z()}) : std::nullopt);
     placed_.push_back({frame.name, frame.time, *placement.pose});
     return std::nullopt;
   } catch (const StreamError& error) {

@@ -43,8 +43,8 @@ class Accumulator {
   /// Width of a fused cell; 0 before the first frame.
   double width() const { return fused_ ? fused_->width() : 0; }
 
-  /// The fused points that at least `seen_by` frames have hit: positions and, if all frames have them,
-  /// colours.
+  /// The fused points that at least `seen_by` frames have hit: positions, colours if
+  /// all frames have them, and where each was seen from as MeanCloud::cloud() says it.
   pcl::PCLPointCloud2 cloud(int seen_by = 1) const;
 
  private:

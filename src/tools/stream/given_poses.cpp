@@ -19,7 +19,9 @@ PoseSource trajectory_poses(Trajectory trajectory) {
 }
 
 PoseSource sensor_poses() {
-  return [](const Frame& frame, const std::vector<Point>&) -> Placement { return {frame.sensor_pose, ""}; };
+  return [](const Frame& frame, const std::vector<Point>&) -> Placement {
+    return {frame.sensor_pose, "", !frame.sensor_pose.isApprox(Pose::Identity(), 1e-9)};
+  };
 }
 
 PoseSource sensor_poses_or(PoseSource fallback) {

@@ -48,7 +48,6 @@ void LiveMesher::request_if(bool due, Clock::time_point now) {
 LiveMesher::Ticket LiveMesher::request_locked() {
   if (cloud_.size() == 0) return 0;
   Job job{{cloud_.cloud(), settings_.filters, settings_.options}, origin_, 0};
-  job.mesh.options.viewpoint = cloud_.viewpoint();
   {
     const std::lock_guard lock(results_mutex_);
     job.era = era_;

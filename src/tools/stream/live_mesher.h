@@ -24,7 +24,7 @@ struct Settings {
   double every_seconds = 0;        ///< reconstruct after this time if frames came; 0: not by time
   bool cancel_outdated = false;    ///< end a running reconstruction when newer data is due
   filters::FilterOptions filters;  ///< run on all points before each reconstruction
-  Options options;                 ///< of the reconstruction; its viewpoint is that of the newest frame
+  Options options;                 ///< of the reconstruction; each point was seen from its frame's sensor
 };
 
 /// Where and when points were measured.

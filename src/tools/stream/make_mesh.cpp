@@ -9,6 +9,7 @@
 #include <memory>
 #include <new>
 #include <utility>
+#include <vector>
 
 #include "filters/filter_chain.h"
 #include "io/cloud.h"
@@ -19,6 +20,11 @@ namespace {
 void run(MeshJob job, const std::atomic<bool>* cancel, const Progress& progress, Outcome& outcome) {
   outcome.points = static_cast<std::int64_t>(io::size_of(job.cloud));
   if (job.filters.any()) job.cloud = filters::filter(job.cloud, job.filters);
+  Options& options = job.options;
+  if (!options.viewpoint && !options.view_direction && !options.viewpoints)
+    if (std::vector<Point> places = io::viewpoints_of(job.cloud); !places.empty())
+      options.viewpoints = std::make_shared<const std::vector<Point>>(std::move(places));
+  job.cloud = io::without_stations(job.cloud);
   pcl::FilmstickingPP<pcl::PointXYZ> filmsticking;
   filmsticking.useNoViewPoint();  // unless the options have one
   filmsticking.setOptions(job.options);

@@ -20,14 +20,17 @@ namespace filmsticking::stream {
 struct MeshJob {
   pcl::PCLPointCloud2 cloud;
   filters::FilterOptions filters;  ///< run on the cloud first
-  Options options;                 ///< a viewpoint of the cloud is given here; without one, none is tried
+  /// A viewpoint or a direction of view that is given here wins over those of the points, which are in the
+  /// fields that io::viewpoints_of() reads. Without either, none is tried.
+  Options options;
 };
 
 /// How a MeshJob ended.
 struct Outcome {
   Status status = Status::InternalError;
-  std::string message;      ///< one sentence, without a full stop, about a failure
-  pcl::PolygonMesh mesh;    ///< vertices with the fields of the cloud; empty after a failure
+  std::string message;  ///< one sentence, without a full stop, about a failure
+  pcl::PolygonMesh
+      mesh;  ///< vertices with the fields of the cloud but io::kStationFields; empty after a failure
   std::int64_t points = 0;  ///< of the cloud, before the filters
   double seconds = 0;       ///< wall time, filters included
   Report report;

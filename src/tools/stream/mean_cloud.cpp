@@ -8,14 +8,20 @@ namespace filmsticking::stream {
 
 MeanCloud::MeanCloud(double width, std::size_t most) : width_(width), most_(most) {}
 
+void MeanCloud::Sum::see(const Point& from, double distance) {
+  if (distance < from_sensor) sensor = from, from_sensor = distance;
+}
+
 MeanCloud::Sum& MeanCloud::sum_of(const Cell& cell) {
   const auto [found, is_new] = index_of_.try_emplace(cell, cells_.size());
   if (is_new) cells_.emplace_back().cell = cell;
   return cells_[found->second];
 }
 
-void MeanCloud::add(const std::vector<Point>& points, const std::vector<io::Colour>& colours) {
+void MeanCloud::add(const std::vector<Point>& points, const std::vector<io::Colour>& colours,
+                    const std::optional<Point>& sensor) {
   ++frame_;
+  seen_ = seen_ || sensor;
   coloured_ = coloured_ && !colours.empty();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Cell cell = cell_of(points[i], width_);
@@ -25,6 +31,9 @@ void MeanCloud::add(const std::vector<Point>& points, const std::vector<io::Colo
       sum.position[axis] += points[i][axis];
       if (coloured_) sum.colour[axis] += colours[i][axis];
     }
+    if (sensor)
+      sum.see(*sensor, std::hypot(points[i][0] - (*sensor)[0], points[i][1] - (*sensor)[1],
+                                  points[i][2] - (*sensor)[2]));
     ++sum.points;
     if (sum.last_frame != frame_) ++sum.frames;
     sum.last_frame = frame_;
@@ -43,6 +52,7 @@ void MeanCloud::coarsen() {
       sum.position[axis] += part.position[axis];
       sum.colour[axis] += part.colour[axis];
     }
+    sum.see(part.sensor, part.from_sensor);
     sum.points += part.points;
     sum.frames = std::max(sum.frames, part.frames);
     sum.last_frame = std::max(sum.last_frame, part.last_frame);
@@ -68,7 +78,12 @@ pcl::PCLPointCloud2 MeanCloud::cloud(std::uint32_t frames) const {
     for (int channel = 0; channel < 3; ++channel)
       colour[channel] = static_cast<std::uint8_t>(std::lround(sum.colour[channel] / n));
   }
-  return io::make_cloud(positions(frames), colours);
+  pcl::PCLPointCloud2 cloud = io::make_cloud(positions(frames), colours);
+  if (!seen_) return cloud;
+  std::vector<Point> sensors;
+  for (const Sum& sum : cells_)
+    if (sum.frames >= frames) sensors.push_back(sum.sensor);
+  return io::with_stations(cloud, sensors);
 }
 
 }  // namespace filmsticking::stream

@@ -29,7 +29,8 @@ const pcl::PCLPointField* find_same(const Fields& fields, const pcl::PCLPointFie
 Fields fields_to_hold(const Fields& of_frame) {
   Fields fields = io::make_cloud({}).fields;
   for (const pcl::PCLPointField& field : of_frame)
-    if (field.name != "x" && field.name != "y" && field.name != "z") fields.push_back(field);
+    if (field.name != "x" && field.name != "y" && field.name != "z" && !io::is_viewpoint(field.name))
+      fields.push_back(field);
   return fields;
 }
 
@@ -56,6 +57,14 @@ pcl::PCLPointCloud2 with_fields(const pcl::PCLPointCloud2& cloud, Fields fields)
   return packed;
 }
 
+/// Where each point of a frame was seen from, in the world's coordinates.
+std::vector<Point> sensors_of(const Frame& frame) {
+  std::vector<Point> own = io::viewpoints_of(frame.cloud);
+  if (!own.empty()) return moved(std::move(own), frame.sensor_pose);
+  const Eigen::Vector3d at = frame.sensor_pose.translation();
+  return std::vector<Point>(io::size_of(frame.cloud), Point{at.x(), at.y(), at.z()});
+}
+
 bool is_float(double x) { return std::abs(x) <= double{std::numeric_limits<float>::max()}; }
 
 }  // namespace
@@ -68,7 +77,8 @@ void NewestCloud::set_bounds(const Bounds& bounds) {
 
 void NewestCloud::add(const Frame& frame) {
   const std::vector<Point> points = moved(io::positions_of(frame.cloud), frame.sensor_pose);
-  pcl::PCLPointCloud2 rows = with_fields(frame.cloud, fields_to_hold(frame.cloud.fields));
+  pcl::PCLPointCloud2 rows =
+      io::with_stations(with_fields(frame.cloud, fields_to_hold(frame.cloud.fields)), sensors_of(frame));
   const io::PositionFields positions(rows);
   const auto store = [&](std::size_t i) {
     if (!std::all_of(points[i].begin(), points[i].end(), is_float)) return false;
@@ -76,16 +86,11 @@ void NewestCloud::add(const Frame& frame) {
     return true;
   };
   frames_.push_back({++frame_, points_where(rows, store)});
-  const Eigen::Vector3d sensor = frame.sensor_pose.translation();
-  viewpoint_ = Point{sensor.x(), sensor.y(), sensor.z()};
   drop_overtaken(frames_.size() - 1);
   forget();
 }
 
-void NewestCloud::clear() {
-  frames_.clear();
-  viewpoint_.reset();
-}
+void NewestCloud::clear() { frames_.clear(); }
 
 pcl::PCLPointCloud2 NewestCloud::cloud() const {
   Fields fields = frames_.empty() ? fields_to_hold({}) : frames_.front().points.fields;

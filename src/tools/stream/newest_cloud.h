@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <optional>
 
 #include "filmsticking/types.h"
 #include "frame.h"
@@ -36,11 +35,10 @@ class NewestCloud {
 
   void clear();
 
-  /// All points, the oldest first, with x, y, z and the fields that all held frames have.
+  /// All points, the oldest first, with x, y, z, the fields that all held frames have, and in those of
+  /// io::kStationFields where each was seen from: the place of its frame's sensor, or what the frame's own
+  /// fields vp_x, vp_y and vp_z say, which are moved as x, y and z are.
   pcl::PCLPointCloud2 cloud() const;
-
-  /// Where the sensor was at the newest frame; none if no points are held.
-  const std::optional<Point>& viewpoint() const { return viewpoint_; }
 
   std::size_t size() const;
 
@@ -60,7 +58,6 @@ class NewestCloud {
   std::deque<Held> frames_;  // by their numbers
   std::int64_t frame_ = 0;   // the newest frame's number
   std::int64_t given_up_ = 0;
-  std::optional<Point> viewpoint_;
 };
 
 }  // namespace filmsticking::stream

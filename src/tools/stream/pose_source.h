@@ -15,7 +15,8 @@ namespace filmsticking::stream {
 /// The pose of a frame, or why there is none.
 struct Placement {
   std::optional<Pose> pose;
-  std::string reason;  ///< a clause; empty with a pose
+  std::string reason;        ///< a clause; empty with a pose
+  bool sensor_known = true;  ///< with a pose: the sensor stood at its origin; false: the identity, by default
 };
 
 /// Finds the pose of each frame, in the order in which the frames come. `points`: the frame's points that

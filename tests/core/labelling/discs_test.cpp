@@ -92,6 +92,7 @@ TEST(Discs, Regression_TheSearchForThreadsIsBounded) {
   const Setting s(points);
   test::LabelSetting l(s, test::random_labels(s.mesh, 1));
   repair(l.labelling);
+  plug_gaps(l.labelling);
   mend(l.labelling, s.set.perturbed);
   EXPECT_TRUE(euler_if_manifold(s, l.inside));
   EXPECT_LE(l.labelling.counts.visits, 11000 * static_cast<std::int64_t>(points.size()));

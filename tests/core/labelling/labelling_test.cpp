@@ -280,6 +280,7 @@ void expect_bounds(const CutSetting& s, std::vector<char> inside, const std::vec
   EXPECT_EQ(counts.reached > 0, test::differences(warped, inside) > 0);
 
   const std::int64_t euler = s.euler(inside), pieces = s.pieces(inside);
+  plug_gaps(labelling);
   mend(labelling, s.set.perturbed);
   // Of a surface, pieces of both labels are components and one more; Euler's characteristic is twice what
   // there are more components than handles. A mend leaves neither more pieces nor, in sum, as many.
@@ -307,6 +308,7 @@ TEST(LabelCounts, AreSmallOnCleanClouds) {
     repair(labelling);
     warp(labelling, s.cut);
     reach(labelling);
+    plug_gaps(labelling);
     mend(labelling, s.set.perturbed);
     const LabelCounts& c = labelling.counts;
     // The cut of points that are dense beside the shape's features is one already; chance leaves a point or

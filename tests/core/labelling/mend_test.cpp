@@ -27,7 +27,7 @@ TEST(Mend, NeverAddsHandlesOrComponents) {
     warp(l.labelling, test::random_labels(s.mesh, seed + 1000));
     reach(l.labelling);
     const test::Topology before = test::topology(s, l.inside);
-    mend_plugs(l.labelling);
+    plug_gaps(l.labelling);
     ASSERT_TRUE(euler_if_manifold(s, l.inside));
     EXPECT_LE(test::topology(s, l.inside).handles, before.handles);
     EXPECT_LE(test::topology(s, l.inside).components, before.components);
@@ -54,6 +54,7 @@ TEST(Mend, ATunnelThatNoSamplesLineIsFilled) {
     repair(l.labelling);
     ASSERT_GT(tetrahedral_boundary(s.mesh, l.inside).size(), 5000u) << seed;
     if (euler_if_manifold(s, l.inside) != 0) continue;  // the repair filled it, or left more to do
+    plug_gaps(l.labelling);
     mend(l.labelling, s.set.perturbed);
     ++tunnels, filled += euler_if_manifold(s, l.inside) == 2;
   }
@@ -70,6 +71,7 @@ TEST(Mend, ATunnelThatSamplesLineIsKept) {
     repair(l.labelling);
     ASSERT_GT(tetrahedral_boundary(s.mesh, l.inside).size(), 2500u);
     ASSERT_EQ(euler_if_manifold(s, l.inside), 0);
+    plug_gaps(l.labelling);
     mend(l.labelling, s.set.perturbed);
     EXPECT_EQ(euler_if_manifold(s, l.inside), 0);
   }
@@ -88,6 +90,7 @@ TEST(Mend, ABridgeThatNoSamplesLineIsCut) {
                          }));
     repair(l.labelling);
     if (euler_if_manifold(s, l.inside) != 0) continue;  // there are not two
+    plug_gaps(l.labelling);
     mend(l.labelling, s.set.perturbed);
     ++bridges, cut += euler_if_manifold(s, l.inside) == 2 && test::topology(s, l.inside).components == 1;
   }
@@ -104,6 +107,7 @@ TEST(Mend, ABarThatSamplesLineIsKept) {
     repair(l.labelling);
     ASSERT_EQ(euler_if_manifold(s, l.inside), 0) << seed;
     ASSERT_EQ(test::topology(s, l.inside).components, 1) << seed;
+    plug_gaps(l.labelling);
     mend(l.labelling, s.set.perturbed);
     EXPECT_EQ(euler_if_manifold(s, l.inside), 0) << seed;
     EXPECT_EQ(test::topology(s, l.inside).components, 1) << seed;
@@ -119,6 +123,7 @@ TEST(Mend, ATornWallIsJoined) {
         s, test::labels_where(s, [&](const Point& p) { return wall.in(p) && std::abs(p[0] - 0.5) > 0.03; }));
     repair(l.labelling);
     if (test::topology(s, l.inside).components == 1) continue;  // the repair joined it
+    plug_gaps(l.labelling);
     mend(l.labelling, s.set.perturbed);
     ++torn, joined += test::topology(s, l.inside).components == 1;
   }
@@ -139,6 +144,7 @@ TEST(Mend, Regression_AMouthThatIsBarredIsOpened) {
                          }));
     repair(l.labelling);
     if (test::topology(s, l.inside).components == 1) continue;
+    plug_gaps(l.labelling);
     mend(l.labelling, s.set.perturbed);
     const test::Topology after = test::topology(s, l.inside);
     ++barred, opened += after.components == 1 && after.handles == 0;
@@ -152,6 +158,7 @@ void expect_two_stay(const Setting& s, std::vector<char> inside) {
   test::LabelSetting l(s, std::move(inside));
   repair(l.labelling);
   ASSERT_EQ(test::topology(s, l.inside).components, 2);
+  plug_gaps(l.labelling);
   mend(l.labelling, s.set.perturbed);
   EXPECT_EQ(test::topology(s, l.inside).components, 2);
 }
@@ -190,6 +197,7 @@ TEST(Mend, Regression_NothingInfiniteBarsACavity) {
     test::LabelSetting l(s, inside);
     repair(l.labelling);
     ASSERT_EQ(test::topology(s, l.inside).components, 3) << seed;
+    plug_gaps(l.labelling);
     mend(l.labelling, s.set.perturbed);
     for (std::size_t t = 0; t < inside.size(); ++t) EXPECT_TRUE(l.inside[t] || !s.infinite(t));
     EXPECT_EQ(test::topology(s, l.inside).components, 3) << seed;
@@ -208,6 +216,7 @@ TEST(Mend, InfiniteTetrahedraKeepTheirLabelsBesideExemptSites) {
     test::LabelSetting l(s, inside);
     repair(l.labelling, exempt);
     const std::vector<char> before = l.inside;
+    plug_gaps(l.labelling);
     mend(l.labelling, s.set.perturbed);
     for (std::size_t t = 0; t < inside.size(); ++t)
       EXPECT_TRUE(l.inside[t] == before[t] || !s.infinite(t)) << seed;

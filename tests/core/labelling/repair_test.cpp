@@ -85,6 +85,7 @@ TEST(Repair, Regression_WhereAllSitesAreNeighboursTheWorkIsBounded) {
   EXPECT_TRUE(euler_if_manifold(s, l.inside));
   warp(l.labelling, test::random_labels(s.mesh, 2));
   reach(l.labelling);
+  plug_gaps(l.labelling);
   mend(l.labelling, s.set.perturbed);
   EXPECT_TRUE(euler_if_manifold(s, l.inside));
   EXPECT_LE(l.labelling.counts.visits, 11000 * static_cast<std::int64_t>(points.size()));

@@ -26,8 +26,8 @@ Surface own_sites(Surface surface) {
 }
 
 Index turn(Surface& surface, const std::vector<Vec3>& viewpoints) {
-  return turn_to_sensors(
-      surface, SurfaceTopology(surface.triangles, static_cast<Index>(surface.positions.size())), viewpoints);
+  const SurfaceTopology topology(surface.triangles, static_cast<Index>(surface.positions.size()));
+  return turn_to_sensors(surface, topology.component, viewpoints);
 }
 
 TEST(Front, ASheetShowsItToItsSensorWhicheverWayItWasTurned) {
@@ -41,11 +41,13 @@ TEST(Front, ASheetShowsItToItsSensorWhicheverWayItWasTurned) {
   }
 }
 
-TEST(Front, AClosedComponentKeepsItsOutside) {
-  Surface ball = own_sites(test::ball());
-  const auto before = ball.triangles;
-  EXPECT_EQ(turn(ball, std::vector<Vec3>(ball.positions.size(), Vec3::Zero())), 0);
-  EXPECT_EQ(ball.triangles, before);
+TEST(Front, AClosedComponentShowsItToWhatStandsInsideOrOutside) {
+  for (const double distance : {0.0, 10.0}) {
+    Surface ball = own_sites(test::ball());
+    std::vector<Vec3> seen_from(ball.positions.size());
+    for (std::size_t v = 0; v < seen_from.size(); ++v) seen_from[v] = distance * ball.positions[v];
+    EXPECT_EQ(turn(ball, seen_from), distance == 0);
+  }
 }
 
 TEST(Front, UnknownSensorsTurnNothing) {

@@ -225,6 +225,15 @@ TEST(Filters, AVoxelDropsFieldsWithoutAMean) {
   EXPECT_EQ(means.width, 8u);  // the eight cells around the origin
 }
 
+TEST(Filters, AVoxelKeepsASensorOfItsPoints) {
+  const std::vector<Point> points = {{0.1, 0.5, 0.5}, {0.4, 0.5, 0.5}, {0.5, 0.5, 0.5}, {2.5, 0.5, 0.5}};
+  const std::vector<Point> sensors = {{0, 0, 9}, {0, 0, -9}, {0, 0, 9}, {7, 7, 7}};
+  const pcl::PCLPointCloud2 seen = io::with_stations(io::make_cloud(points), sensors);
+  for (const pcl::PCLPointCloud2& cloud : {seen, io::with_named_stations(seen)})  // of double precision
+    EXPECT_EQ(io::viewpoints_of(filter(cloud, options("voxel", "1"))),
+              (std::vector<Point>{{0, 0, -9}, {7, 7, 7}}));  // the mean is at 0.33
+}
+
 TEST(Filters, VoxelsThatCannotBeNumberedAreRefused) {
   EXPECT_THROW(filtered(milk(), options("voxel", "1e-6")), FilterError);
   Cloud far = random_cloud(20, 7);

@@ -203,5 +203,19 @@ TEST(Layout, AColumnWhoseNameAnotherHasIsLeftOutWithANote) {
   EXPECT_EQ(notes.size(), 1u);
 }
 
+TEST(Clouds, StationsComeAndGoWithTheirBytes) {
+  const pcl::PCLPointCloud2 plain = io::make_cloud({{1, 2, 3}, {4, 5, 6}}, {{7, 8, 9}, {1, 2, 3}});
+  const std::vector<Point> stations = {{0, 0, 9}, {0, 0, -9}};
+  const pcl::PCLPointCloud2 seen = io::with_stations(plain, stations);
+  EXPECT_EQ(io::viewpoints_of(seen), stations);
+  EXPECT_EQ(io::viewpoints_of(io::with_named_stations(seen)), stations);
+  const pcl::PCLPointCloud2 again = io::without_stations(seen);
+  EXPECT_EQ(again.data, plain.data);
+  EXPECT_EQ(again.point_step, plain.point_step);
+  EXPECT_EQ(io::positions_of(again), io::positions_of(plain));
+  EXPECT_EQ(io::colours_of(again), io::colours_of(plain));
+  EXPECT_TRUE(io::viewpoints_of(again).empty());
+}
+
 }  // namespace
 }  // namespace filmsticking::test

@@ -27,5 +27,15 @@ TEST(Accumulator, LeavesOutFramesAndSaysWhy) {
   EXPECT_GT(accumulator.size(), 100u);
 }
 
+TEST(Accumulator, SaysWhereEachPointWasSeenFrom) {
+  Frame frame = *file_sequence({kBun0})->next();
+  Accumulator unknown({}, sensor_poses()), known({}, sensor_poses());
+  EXPECT_FALSE(unknown.add(frame));
+  EXPECT_TRUE(io::viewpoints_of(unknown.cloud()).empty());
+  frame.sensor_pose.translation() << 1, 2, 3;
+  EXPECT_FALSE(known.add(frame));
+  EXPECT_EQ(io::viewpoints_of(known.cloud()), std::vector<Point>(known.size(), {1, 2, 3}));
+}
+
 }  // namespace
 }  // namespace filmsticking::stream

@@ -30,5 +30,14 @@ TEST(Poses, OfTheCloudsGoBeforeAFit) {
   EXPECT_TRUE(poses(frame, {}).pose->isApprox(frame.sensor_pose));
 }
 
+TEST(Poses, ACloudsIdentityDoesNotSayWhereTheSensorWas) {
+  const auto poses = sensor_poses();
+  Frame frame;
+  EXPECT_TRUE(poses(frame, {}).pose);
+  EXPECT_FALSE(poses(frame, {}).sensor_known);
+  frame.sensor_pose = pose(1, 2, 3, 1, {0, 1, 0});
+  EXPECT_TRUE(poses(frame, {}).sensor_known);
+}
+
 }  // namespace
 }  // namespace filmsticking::stream

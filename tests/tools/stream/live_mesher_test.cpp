@@ -10,6 +10,7 @@
 
 #include "io/cloud.h"
 #include "support/clouds.h"
+#include "support/facing.h"
 #include "support/surface_check.h"
 
 namespace filmsticking::stream {
@@ -177,6 +178,35 @@ TEST_F(LiveMesherTest, ABurstEndsWithTheNewestAndHoldsNoMoreThanItMay) {
   EXPECT_LE(facts.held, 3000);
   EXPECT_GT(facts.given_up, 0);
   EXPECT_EQ(facts.meshes + facts.superseded, kFrames);
+}
+
+TEST_F(LiveMesherTest, TwoSidesOfAThinWallKeepTheirOwnSensors) {
+  constexpr double kHalf = 0.05;  // two spacings between the sides
+  settings.every_frames = 2;
+  settings.bounds = {0.02, 0, 100000};
+  settings.options.open_boundary = true;
+  mesher.set(settings);
+  test::Random random(6);
+  for (const double side : {1.0, -1.0}) {
+    std::vector<Point> points;
+    for (int i = 0; i < 30; ++i)
+      for (int j = 0; j < 30; ++j)
+        points.push_back({(i + random.uniform(0, 0.5)) / 20, (j + random.uniform(0, 0.5)) / 20,
+                          side * (kHalf - 2) + 0.002 * random.uniform()});
+    Frame frame = frame_of(points);
+    frame.sensor_pose.translation() << 0, 0, side * 2;
+    mesher.add(frame, {"map", 1}, kStart);
+  }
+  const auto outcome = mesher.wait(1);
+  ASSERT_TRUE(outcome);
+  ASSERT_EQ(outcome->status, Status::Ok) << outcome->message;
+  const Mesh mesh{io::positions_of(outcome->mesh.cloud), io::triangles_of(outcome->mesh.polygons)};
+  EXPECT_GT(mesh.positions.size(), 1700u);
+  EXPECT_GT(test::facing_share(mesh,
+                               [](const Point& p) {
+                                 return Point{0, 0, p[2] > 0 ? 2.0 : -2.0};
+                               }),
+            0.95);
 }
 
 TEST_F(LiveMesherTest, NewerDataCanEndTheRunningOne) {

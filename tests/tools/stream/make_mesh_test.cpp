@@ -13,6 +13,7 @@
 #include "filmsticking/reconstruct.h"
 #include "io/cloud.h"
 #include "support/clouds.h"
+#include "support/facing.h"
 #include "support/surface_check.h"
 
 namespace filmsticking::stream {
@@ -33,6 +34,23 @@ TEST(MakeMesh, MakesAClosedMeshOfThePointsWithTheirColours) {
   EXPECT_EQ(io::colours_of(outcome.mesh.cloud), std::vector<io::Colour>(vertices.size(), {1, 2, 3}));
   EXPECT_EQ(outcome.points, 500);
   EXPECT_FALSE(stages.empty());
+}
+
+TEST(MakeMesh, AnOpenSurfaceFacesWhatSawItsPoints) {
+  test::Random random(4);
+  std::vector<Point> points;
+  for (int i = 0; i < 2000; ++i)
+    points.push_back({random.uniform(), random.uniform(), random.uniform(0, 0.01)});
+  for (const double height : {5.0, -5.0}) {
+    const Point sensor{0.5, 0.5, height};
+    MeshJob job{io::with_stations(io::make_cloud(points), std::vector<Point>(points.size(), sensor)), {}, {}};
+    job.options.open_boundary = true;
+    const Outcome outcome = make_mesh(job);
+    ASSERT_EQ(outcome.status, Status::Ok) << outcome.message;
+    const Mesh mesh{io::positions_of(outcome.mesh.cloud), io::triangles_of(outcome.mesh.polygons)};
+    EXPECT_GT(test::facing_share(mesh, [&](const Point&) { return sensor; }), 0.95);
+    EXPECT_EQ(outcome.mesh.cloud.fields.size(), 3u);  // the sensors are not the mesh's
+  }
 }
 
 TEST(MakeMesh, RunsTheFiltersFirst) {

@@ -75,5 +75,33 @@ TEST(MeanCloud, CountsFramesAndMixesColours) {
   EXPECT_TRUE(io::colours_of(fused.cloud()).empty());
 }
 
+TEST(MeanCloud, ACellKeepsTheNearestOfItsSensors) {
+  const Point near{0, 0, 2}, far{0, 0, -9};
+  for (const bool near_first : {true, false}) {
+    MeanCloud fused(1, 100);
+    for (const bool is_near : {near_first, !near_first})
+      fused.add({{0.5, 0.5, is_near ? 0.6 : 0.4}, {is_near ? 3.5 : 5.5, 0.5, 0.5}}, {}, is_near ? near : far);
+    fused.add({{9.5, 0.5, 0.5}});  // nobody knows from where
+    const std::vector<Point> points = fused.positions(), sensors = io::viewpoints_of(fused.cloud());
+    ASSERT_EQ(sensors.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (points[i][0] > 9) {
+        EXPECT_TRUE(std::isnan(sensors[i][0]));
+      } else {
+        EXPECT_EQ(sensors[i], points[i][0] > 5 ? far : near) << points[i][0];
+      }
+    }
+    EXPECT_EQ(io::viewpoints_of(fused.cloud(2)), std::vector<Point>{near});
+  }
+}
+
+TEST(MeanCloud, CoarserCellsKeepTheNearestSensorToo) {
+  MeanCloud fused(1, 1);
+  fused.add({{0.5, 0.5, 0.5}}, {}, Point{0, 0, -9});
+  fused.add({{1.5, 1.5, 1.5}}, {}, Point{0, 0, 2});
+  ASSERT_EQ(fused.size(), 1u);
+  EXPECT_EQ(io::viewpoints_of(fused.cloud()), (std::vector<Point>{{0, 0, 2}}));
+}
+
 }  // namespace
 }  // namespace filmsticking::stream

@@ -122,14 +122,36 @@ TEST(NewestCloud, MovesPointsAndRoundsThemToSinglePrecision) {
   NewestCloud cloud;
   cloud.add(frame);
   EXPECT_EQ(points_of(cloud), (std::vector<Point>{{0.1f, 0.2f, 0.3f}}));
-  EXPECT_EQ(cloud.viewpoint(), (Point{0, 0, 0}));
 
   frame = frame_of({{1, 0, 0}});
   frame.sensor_pose.linear() << 0, -1, 0, 1, 0, 0, 0, 0, 1;  // a quarter turn about z
   frame.sensor_pose.translation() << 10, 20, 30;
   cloud.add(frame);
   EXPECT_EQ(points_of(cloud), (std::vector<Point>{{10, 21, 30}}));
-  EXPECT_EQ(cloud.viewpoint(), (Point{10, 20, 30}));
+}
+
+TEST(NewestCloud, EachPointKeepsWhereItWasSeenFrom) {
+  NewestCloud cloud;
+  cloud.set_bounds({1, 0, 1000});
+  Frame front = line(4, -9.5), back = line(6, 10.25);  // of the cells, the back sees two more
+  front.sensor_pose.translation() << 0, 0, 10;
+  back.sensor_pose.translation() << 0, 0, -10;
+  cloud.add(back);
+  cloud.add(front);
+  const std::vector<Point> sensors = io::viewpoints_of(cloud.cloud()), points = points_of(cloud);
+  ASSERT_EQ(sensors.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i)
+    EXPECT_EQ(sensors[i], (Point{0, 0, points[i][2] == 0.5 ? 10.0 : -10.0})) << points[i][2];
+}
+
+TEST(NewestCloud, SensorsThatAFrameNamesMoveWithIt) {
+  Frame frame;
+  frame.cloud = io::with_named_stations(
+      io::with_stations(io::make_cloud({{1, 2, 3}, {4, 5, 6}}), {{0, 0, 1}, {0, 0, 2}}));
+  frame.sensor_pose.translation() << 10, 20, 30;
+  NewestCloud cloud;
+  cloud.add(frame);
+  EXPECT_EQ(io::viewpoints_of(cloud.cloud()), (std::vector<Point>{{10, 20, 31}, {10, 20, 32}}));
 }
 
 /// The points with a field "ring" whose values count from `first`.

@@ -16,26 +16,28 @@
 
 namespace filmsticking::test {
 
-/// The first hits of a grid of parallel rays.
+/// The first hits of a grid of rays from the sensor.
 struct RangeImage {
   Eigen::Isometry3d pose;               ///< sensor to world
-  std::vector<Eigen::Vector3d> points;  ///< in the sensor's coordinates, whose z is the direction of the rays
+  std::vector<Eigen::Vector3d> points;  ///< in the sensor's coordinates, whose z is the middle ray
 };
 
-/// Casts rays `pitch` apart along the sensor's z at all triangles and keeps the nearest hit of each.
-inline RangeImage cast_rays(const Mesh& mesh, const Eigen::Isometry3d& pose, double pitch) {
+/// Casts rays, `pitch` apart at this distance along the sensor's z, at all triangles and keeps the nearest
+/// hit of each. All of the mesh is before the sensor.
+inline RangeImage cast_rays(const Mesh& mesh, const Eigen::Isometry3d& pose, double distance, double pitch) {
   const Eigen::Isometry3d to_sensor = pose.inverse();
-  std::vector<Eigen::Vector3d> corners;
+  std::vector<Eigen::Vector3d> corners;  // their places where all rays are parallel, and 1 / z
   Eigen::Vector2d least(1e300, 1e300), most(-1e300, -1e300);
   for (const Point& p : mesh.positions) {
-    corners.push_back(to_sensor * Eigen::Vector3d(p[0], p[1], p[2]));
+    const Eigen::Vector3d q = to_sensor * Eigen::Vector3d(p[0], p[1], p[2]);
+    corners.emplace_back(q.x() * distance / q.z(), q.y() * distance / q.z(), 1 / q.z());
     least = least.cwiseMin(corners.back().head<2>());
     most = most.cwiseMax(corners.back().head<2>());
   }
   const int width = static_cast<int>((most.x() - least.x()) / pitch) + 1;
   const int height = static_cast<int>((most.y() - least.y()) / pitch) + 1;
-  constexpr double kNothing = std::numeric_limits<double>::infinity();
-  std::vector<double> depth(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), kNothing);
+  constexpr double kNothing = 0;
+  std::vector<double> nearness(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), kNothing);
   for (const Triangle& t : mesh.triangles) {
     const Eigen::Vector3d &a = corners[t[0]], &b = corners[t[1]], &c = corners[t[2]];
     const Eigen::Vector3d normal = (b - a).cross(c - a);
@@ -53,15 +55,17 @@ inline RangeImage cast_rays(const Mesh& mesh, const Eigen::Isometry3d& pose, dou
         if (!((ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0))) continue;
         const double z =
             a.z() - ((ray.x() - a.x()) * normal.x() + (ray.y() - a.y()) * normal.y()) / normal.z();
-        double& nearest = depth[static_cast<std::size_t>(y * width + x)];
-        nearest = std::min(nearest, z);
+        double& nearest = nearness[static_cast<std::size_t>(y * width + x)];
+        nearest = std::max(nearest, z);
       }
   }
   RangeImage image{pose, {}};
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      const double z = depth[static_cast<std::size_t>(y * width + x)];
-      if (z < kNothing) image.points.push_back({least.x() + x * pitch, least.y() + y * pitch, z});
+      const double z = 1 / nearness[static_cast<std::size_t>(y * width + x)];
+      if (std::isfinite(z))
+        image.points.emplace_back((least.x() + x * pitch) * z / distance,
+                                  (least.y() + y * pitch) * z / distance, z);
     }
   return image;
 }
@@ -74,7 +78,7 @@ inline std::vector<RangeImage> turntable(const Mesh& mesh, int steps, double pit
     for (int k = 0; k < steps; ++k) {
       const Eigen::Isometry3d pose(Eigen::AngleAxisd(2 * M_PI * k / steps, axis) *
                                    Eigen::Translation3d(0, 0, -kDistance));
-      images.push_back(cast_rays(mesh, pose, pitch));
+      images.push_back(cast_rays(mesh, pose, kDistance, pitch));
     }
   return images;
 }
