@@ -70,11 +70,11 @@ class Walk {
 };
 
 double ball_diameter(const std::vector<Vec3>& corners) {
-  using Kernel = CGAL::Simple_cartesian<double>;
+  using Cartesian = CGAL::Simple_cartesian<double>;
   // The heuristic and not the other algorithm, which draws random numbers.
-  using Traits =
-      CGAL::Min_sphere_of_points_d_traits_3<Kernel, double, CGAL::Tag_true, CGAL::Farthest_first_heuristic>;
-  std::vector<Kernel::Point_3> points;
+  using Traits = CGAL::Min_sphere_of_points_d_traits_3<Cartesian, double, CGAL::Tag_true,
+                                                       CGAL::Farthest_first_heuristic>;
+  std::vector<Cartesian::Point_3> points;
   for (const Vec3& p : corners) points.emplace_back(p.x(), p.y(), p.z());
   CGAL::Min_sphere_of_spheres_d<Traits> ball(points.begin(), points.end());
   return 2 * ball.radius();

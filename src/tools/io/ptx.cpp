@@ -105,7 +105,7 @@ class PtxFile {
   }
 
   void points(Scan& scan) {
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
     const std::size_t all = scan.columns * scan.rows;
     bool coloured = true;
     for (std::size_t i = 0; i < all; ++i) {
@@ -116,7 +116,7 @@ class PtxFile {
       Point p{values_[0], values_[1], values_[2]};
       const bool none = p == Point{};
       without_return_ += none ? 1 : 0;
-      scan.points.push_back(none ? Point{kNone, kNone, kNone} : p);
+      scan.points.push_back(none ? Point{kNotANumber, kNotANumber, kNotANumber} : p);
       coloured = coloured && values_.size() == 7;
       if (coloured) scan.colours.push_back(colour());
     }
