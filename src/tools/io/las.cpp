@@ -26,20 +26,20 @@ constexpr PointFormat kPointFormats[] = {{20, kAbsent, kAbsent}, {28, 20, kAbsen
                                          {59, 22, kAbsent},      {67, 22, 30}};
 constexpr std::size_t kOldFormats = 6;
 
-struct Header {
+struct LasHeader {
   std::size_t format = 0, step = 0, begin = 0, points = 0;
   double scale[3] = {}, offset[3] = {};
 };
 
 [[noreturn]] void throw_short() { throw IoError("it ends before its LAS header says"); }
 
-Header parse_header(std::string_view bytes) {
+LasHeader parse_header(std::string_view bytes) {
   if (bytes.substr(0, 4) != "LASF") throw IoError("it is not a LAS file");
   if (bytes.size() < kHeader) throw_short();
   const char* const at = bytes.data();
   const int minor = load<std::uint8_t>(at + 25);
   if (load<std::uint8_t>(at + 24) != 1 || minor > 4) throw IoError("its LAS version is none of 1.0 to 1.4");
-  Header header;
+  LasHeader header;
   const auto format = load<std::uint8_t>(at + 104);
   if (format & 0xc0)
     throw IoError(
@@ -116,7 +116,7 @@ pcl::PCLPointCloud2 make(const PointFormat& format, std::size_t points, Layout& 
 }
 
 /// Colours have 16 bits; many writers put bytes there.
-bool has_wide_colours(const Header& header, const char* from) {
+bool has_wide_colours(const LasHeader& header, const char* from) {
   for (std::size_t i = 0; i < header.points; ++i, from += header.step)
     for (std::size_t k = 0; k < 6; k += 2)
       if (load<std::uint16_t>(from + kPointFormats[header.format].colours + k) > 255) return true;
@@ -126,7 +126,7 @@ bool has_wide_colours(const Header& header, const char* from) {
 }  // namespace
 
 Cloud decode_las(std::string_view bytes) {
-  const Header header = parse_header(bytes);
+  const LasHeader header = parse_header(bytes);
   const PointFormat& format = kPointFormats[header.format];
   Layout layout;
   Cloud cloud;
