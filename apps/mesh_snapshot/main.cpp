@@ -25,7 +25,7 @@ using io::with_file;
 namespace {
 
 /// Of all pictures of a GIF, which are in memory together.
-constexpr double kMostPixels = 100e6;
+constexpr double kMostPixelsOfAll = 100e6;
 
 /// Reads the meshes.
 std::vector<Panel> read_panels(const CommandLine& command) {
@@ -90,7 +90,7 @@ void run(CommandLine command) {
     for (const Panel& panel : panels) pictures = std::max(pictures, panel.films.size());
   const View& view = command.view;
   const bool animation = io::extension_of(command.output) == ".gif";
-  if (animation && static_cast<double>(pictures) * view.width * view.height > kMostPixels)
+  if (animation && static_cast<double>(pictures) * view.width * view.height > kMostPixelsOfAll)
     throw io::IoError("the animation is too large; take fewer pictures or a smaller --size");
 
   const scene::DisplayConnection display;

@@ -17,7 +17,8 @@ Json to_json(const RoomSeconds& stage) { return {{"room", stage.room}, {"seconds
 
 Json to_json(const Hole& hole) {
   return {{"length", hole.length}, {"diameter", hole.diameter}, {"area", hole.area},
-          {"centre", hole.centre}, {"edges", hole.edges},       {"closed", hole.closed}};
+          {"centre", hole.centre}, {"normal", hole.normal},     {"edges", hole.edges},
+          {"closed", hole.closed}};
 }
 
 template <typename Record>

@@ -29,12 +29,14 @@ struct RunFacts {
 ///   input, output, status, message, warning: strings; message is empty when status is "Ok", warning unless
 ///   the result is doubtful (Report::warning)
 ///   notes: how the input was read, a list of sentences
-///   read: points in the input; points: those that the filters left; sites, non_finite, duplicates: as in
-///   Report interpolated, interpolated_share (of the sites, 0 to 1), outliers, inserted vertices, triangles,
-///   components, genus, boundary_edges, boundary_loops, closed, manifold: the mesh rounds; steps: a list of
-///   round, attracted, virtual_left, weighted, held, seconds holes: a list of length, diameter, area, centre,
-///   edges, closed, as in Hole rooms: a list of room, seconds reconstruction_seconds, seconds (with reading
-///   and writing), peak_memory_bytes
+///   read: points in the input; points: those that the filters left
+///   sites, non_finite, duplicates, outliers, inserted, flips, rounds: as in Report
+///   interpolated, interpolated_share: of the sites, 0 to 1
+///   vertices, triangles, components, genus, boundary_edges, boundary_loops, closed, manifold: the mesh
+///   holes: a list of length, diameter, area, centre, normal, edges, closed, as in Hole
+///   steps: a list of round, attracted, virtual_left, weighted, held, seconds
+///   rooms: a list of room, seconds
+///   reconstruction_seconds, seconds (with reading and writing), peak_memory_bytes
 std::string report_json(const Result& result, const RunFacts& facts);
 
 /// The name of a status, as in the code.

@@ -30,12 +30,13 @@ struct RoomSeconds {
 
 /// A hole of a surface: a loop of edges with one face. Lengths in the points' unit.
 struct Hole {
-  double length = 0;    ///< of its rim
-  double diameter = 0;  ///< of the smallest ball around its rim
-  double area = 0;      ///< of its rim, projected along its mean normal
-  Point centre{};       ///< mean place of its rim
+  double length = 0;       ///< of its rim
+  double diameter = 0;     ///< of the smallest ball around its rim
+  double area = 0;         ///< of its rim, projected along its mean normal
+  Point centre{};          ///< mean place of its rim
   std::int64_t edges = 0;  ///< of its rim
-  bool closed = false;  ///< it has got a lid (Options::max_hole)
+  bool closed = false;     ///< it has got a lid (Options::max_hole)
+  Point normal{};          ///< of length 1, of a lid that winds as the faces around it; zero if the area is
 };
 
 /// What a reconstruction did. After a failure, filled up to it.

@@ -128,7 +128,8 @@ void add_report(py::module_& module) {
       .def_readonly("area", &Hole::area, "Of its rim, projected along its mean normal.")
       .def_readonly("centre", &Hole::centre, "(3,) mean place of its rim.")
       .def_readonly("edges", &Hole::edges, "Of its rim.")
-      .def_readonly("closed", &Hole::closed, "It has got a lid.");
+      .def_readonly("closed", &Hole::closed, "It has got a lid.")
+      .def_readonly("normal", &Hole::normal, "(3,) unit normal of a lid that winds as the faces around it.");
   py::class_<Report>(module, "Report", "What a reconstruction did; after a failure, filled up to it.")
       .def_readonly("points", &Report::points, "Input points.")
       .def_readonly("sites", &Report::sites, "Distinct finite points.")

@@ -91,6 +91,8 @@ std::vector<Hole> holes_of(const FinishedSurface& finished, const SiteSet& sites
     Hole hole = measure_rim(corners);
     hole.length *= sites.side, hole.diameter *= sites.side, hole.area *= sites.side * sites.side;
     hole.centre = sites.to_input({hole.centre[0], hole.centre[1], hole.centre[2]});
+    const Vec3 normal = sites.turn.back({hole.normal[0], hole.normal[1], hole.normal[2]});
+    hole.normal = {normal.x(), normal.y(), normal.z()};
     hole.closed = opening.closed;
     holes.push_back(hole);
   }

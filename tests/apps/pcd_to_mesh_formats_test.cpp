@@ -9,17 +9,10 @@
 
 #include "io/files.h"
 #include "io/formats.h"
-#include "support/model.h"
-#include "support/run_program.h"
-#include "support/scratch_folder.h"
+#include "support/pcd_to_mesh.h"
 
 namespace filmsticking::test {
 namespace {
-
-Outcome pcd_to_mesh(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), PCD_TO_MESH);
-  return run_program(arguments);
-}
 
 /// A point of a sphere, spread evenly.
 Point on_sphere(int i, int count) {

@@ -91,6 +91,48 @@ TEST(MaxHole, IsALength) {
     EXPECT_EQ(reconstruct_with(test::sphere(100, 1), wrong).status, Status::InvalidOptions);
 }
 
+// A square grid of cells 1 wide; two cells that share a corner are left out.
+TEST(FindHoles, ThatTouchAreSeveral) {
+  constexpr int kCells = 4;
+  std::vector<Point> places;
+  std::vector<Triangle> triangles;
+  for (int i = 0; i <= kCells; ++i)
+    for (int j = 0; j <= kCells; ++j) places.push_back({1.0 * i, 1.0 * j, 0});
+  for (int i = 0; i < kCells; ++i)
+    for (int j = 0; j < kCells; ++j) {
+      if (i == j && (i == 1 || i == 2)) continue;
+      const int a = i * (kCells + 1) + j, b = a + kCells + 1;
+      triangles.push_back({a, b, b + 1}), triangles.push_back({a, b + 1, a + 1});
+    }
+  std::vector<Hole> holes;
+  ASSERT_EQ(find_holes(places, triangles, holes), Status::Ok);
+  ASSERT_EQ(holes.size(), 3U);
+  EXPECT_DOUBLE_EQ(holes[0].length, 16);
+  EXPECT_EQ(holes[0].normal, (Point{0, 0, -1}));  // what fills the rest of the plane
+  for (const Hole& hole : {holes[1], holes[2]}) {
+    EXPECT_DOUBLE_EQ(hole.length, 4);
+    EXPECT_DOUBLE_EQ(hole.area, 1);
+    EXPECT_EQ(hole.normal, (Point{0, 0, 1}));
+  }
+}
+
+TEST(FindHoles, HaveMeasuresWhereverTheyAre) {
+  for (const auto& [scale, away] :
+       {std::pair{1e-30, 7.0}, std::pair{1e-90, 7.0}, std::pair{1e90, 7.0}, std::pair{1.0, 4e6}}) {
+    std::vector<Point> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    for (Point& p : square)
+      for (double& x : p) x = (x + away) * scale;
+    std::vector<Hole> holes;
+    ASSERT_EQ(find_holes(square, {{0, 1, 2}, {0, 2, 3}}, holes), Status::Ok);
+    ASSERT_EQ(holes.size(), 1U);
+    EXPECT_NEAR(holes[0].diameter / scale, std::sqrt(2), 1e-9);
+    EXPECT_NEAR(holes[0].length / scale, 4, 1e-9);
+    EXPECT_NEAR(holes[0].area / scale / scale, 1, 1e-9);
+    EXPECT_NEAR(holes[0].centre[0] / scale, 0.5 + away, 1e-9);
+    EXPECT_EQ(holes[0].normal, (Point{0, 0, -1}));
+  }
+}
+
 TEST(FindHoles, OfAnyTriangles) {
   const std::vector<Point> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {5, 5, 5}};
   std::vector<Hole> holes;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -196,6 +197,54 @@ TEST(Includes, ASourceWithoutATestIsSeen) {
       without_test({"src/core/geometry/a.h", "src/core/geometry/a.cpp", "src/core/b.cpp",
                     "src/core/CMakeLists.txt", "tests/core/geometry/a_test.cpp", "tests/core/a_test.cpp"}),
       std::set<std::string>{"src/core/b"});
+}
+
+// Constants and types declared where a line begins: of a whole file.
+std::set<std::string> names_of(const std::string& text) {
+  std::set<std::string> names;
+  const std::regex constant("\\b(k[A-Z]\\w*)(?:\\[\\w*\\])* *[={]");
+  const std::regex type("^(?:using|struct|class|enum|enum class) (\\w+) *(?:=|:|\\{)");
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const bool constants = line.rfind("constexpr ", 0) == 0 || line.rfind("const ", 0) == 0;
+    const std::regex& name = constants ? constant : type;
+    for (std::sregex_iterator found(line.begin(), line.end(), name), end; found != end; ++found)
+      names.insert((*found)[1]);
+  }
+  return names;
+}
+
+// Names of two files that FILMSTICKING_BUILD_UNITY may compile as one.
+std::vector<std::string> names_twice(const Sources& sources) {
+  const std::regex alone(
+      "/(delaunay|depth_image|initial_surface|regular)\\.cpp$");  // src/core/CMakeLists.txt
+  std::vector<std::string> twice;
+  std::map<std::string, std::string> file_of;  // by folder and name
+  for (const auto& [path, text] : sources) {
+    if (fs::path(path).extension() != ".cpp" || std::regex_search(path, alone)) continue;
+    if (path.rfind("src/", 0) != 0 && path.rfind("apps/", 0) != 0) continue;
+    for (const std::string& name : names_of(text)) {
+      const auto [known, is_new] = file_of.emplace(fs::path(path).parent_path().string() + ' ' + name, path);
+      if (!is_new) twice.push_back(name + " is in " + known->second + " and " + path);
+    }
+  }
+  return twice;
+}
+
+TEST(Names, OfAFolderAreDifferent) {
+  for (const std::string& fault : names_twice(read_sources())) ADD_FAILURE() << fault;
+}
+
+TEST(Names, ANameTwiceIsSeen) {
+  Sources sources = {
+      {"src/tools/io/a.cpp", "namespace {\nconstexpr double kNear = 1, kFar[2] = {2, 3};\n}\n"},
+      {"src/tools/io/b.cpp", "void f() {\n  constexpr double kFar = 1;\n}\n"},
+      {"src/tools/scene/c.cpp", "constexpr int kFar = 1;\n"}};
+  EXPECT_TRUE(names_twice(sources).empty());
+  sources["src/tools/io/d.cpp"] = "constexpr std::size_t kFar = 2;\nusing Near = int;\n";
+  EXPECT_EQ(names_twice(sources).size(), 1U);
+  sources["src/tools/io/e.cpp"] = "struct Near {\n};\n";
+  EXPECT_EQ(names_twice(sources).size(), 2U);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace filmsticking {
 namespace {
 
 // How deep the inside is known to be behind a site, and how far sites are from the surface, in spacings.
-constexpr double kDepth = 0.5, kNoise = 0.5;
+constexpr double kDepth = 0.5, kSightNoise = 0.5;
 // A facet that is nearer to the site than so many spacings may belong to its own part of the surface.
 constexpr double kOwnPart = 3;
 // Votes are summed as integers, so that their sum does not depend on the order.
@@ -123,7 +123,7 @@ Sight lines_of_sight(const TetrahedralMesh& mesh, const std::vector<Vec3>& sites
       const Vec3 direction = way / length;
       bool passed = false;
       leaving += rays.walk(v, direction, length, [&](Index t, int k, double begin, double end) {
-        const double from_site = (begin + end) / 2 / (kNoise * spacing);
+        const double from_site = (begin + end) / 2 / (kSightNoise * spacing);
         const double sure = 1 - std::exp(-from_site * from_site / 2);
         add(t, -sure * std::min(1.0, (end - begin) / spacing));
         passed |= end > kOwnPart * spacing && end < length && evidence.votes[t][k] == 3;

@@ -6,7 +6,7 @@
 namespace filmsticking {
 namespace {
 
-constexpr double kFar = 100;
+constexpr double kFarEnough = 100;
 
 }  // namespace
 
@@ -19,7 +19,7 @@ std::vector<Vec3> site_viewpoints(const SiteSet& sites, const Options& options) 
     });
   } else if (options.view_direction) {
     const Point& d = *options.view_direction;
-    const Vec3 back = -kFar * sites.turn(Vec3(d[0], d[1], d[2]).stableNormalized());
+    const Vec3 back = -kFarEnough * sites.turn(Vec3(d[0], d[1], d[2]).stableNormalized());
     for (const Vec3& site : sites.perturbed) places.push_back(site + back);
   } else if (options.viewpoint) {
     places.assign(sites.size(), sites.to_unit(*options.viewpoint));

@@ -24,9 +24,9 @@ constexpr std::size_t kTooLong = 2000;
 constexpr double kShape = 0.1;
 
 // Tries for a triangulation that meets no other faces, and the most steps of all together.
-constexpr double kRounds = 40, kWork = 6e9;
+constexpr double kTries = 40, kWork = 6e9;
 // Volume of a component over its area to the power of 3/2. Less: the lid lies on its faces.
-constexpr double kFlat = 1e-9;
+constexpr double kNoVolume = 1e-9;
 
 class Lids {
  public:
@@ -96,7 +96,7 @@ class Lids {
   bool try_least(const Rim& rim) {
     if (rim.size() > kTooLong) return false;
     const double n = static_cast<double>(rim.size());
-    const int rounds = static_cast<int>(std::clamp(kWork / (n * n * n), 1.0, kRounds));
+    const int rounds = static_cast<int>(std::clamp(kWork / (n * n * n), 1.0, kTries));
     std::set<Corners> forbidden;
     for (int round = 0; round < rounds && best_.meeting > 0; ++round) {
       const std::vector<Corners> faces = least(rim, forbidden);
@@ -129,7 +129,7 @@ class Lids {
       volume += a.dot(b.cross(c)) / 6;
       area += (b - a).cross(c - a).norm() / 2;
     }
-    return std::abs(volume) <= kFlat * area * std::sqrt(area);
+    return std::abs(volume) <= kNoVolume * area * std::sqrt(area);
   }
 
   std::vector<Corners> least(const Rim& rim, const std::set<Corners>& forbidden) const {

@@ -6,6 +6,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -70,15 +71,25 @@ class Walk {
 };
 
 double ball_diameter(const std::vector<Vec3>& corners) {
-  using Kernel = CGAL::Simple_cartesian<double>;
+  using Cartesian = CGAL::Simple_cartesian<double>;
   // The heuristic and not the other algorithm, which draws random numbers.
-  using Traits =
-      CGAL::Min_sphere_of_points_d_traits_3<Kernel, double, CGAL::Tag_true, CGAL::Farthest_first_heuristic>;
-  std::vector<Kernel::Point_3> points;
+  using Traits = CGAL::Min_sphere_of_points_d_traits_3<Cartesian, double, CGAL::Tag_true,
+                                                       CGAL::Farthest_first_heuristic>;
+  std::vector<Cartesian::Point_3> points;
   for (const Vec3& p : corners) points.emplace_back(p.x(), p.y(), p.z());
   CGAL::Min_sphere_of_spheres_d<Traits> ball(points.begin(), points.end());
   return 2 * ball.radius();
 }
+
+// A power of two about as large as what the corners span: divided by it, no square overflows and none loses
+// digits.
+double span_of(const std::vector<Vec3>& corners) {
+  double most = 0;
+  for (const Vec3& p : corners) most = std::max(most, (p - corners[0]).lpNorm<Eigen::Infinity>());
+  return most > 0 && std::isfinite(most) ? std::exp2(std::ilogb(most)) : 1;
+}
+
+Point point_of(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
 }  // namespace
 
@@ -96,17 +107,22 @@ Hole measure_rim(const std::vector<Vec3>& corners) {
   Hole hole;
   hole.edges = static_cast<std::int64_t>(corners.size());
   if (corners.empty()) return hole;
+  const double unit = span_of(corners);
+  std::vector<Vec3> from_first;
+  for (const Vec3& p : corners) from_first.push_back((p - corners[0]) / unit);
   Vec3 area = Vec3::Zero(), moment = Vec3::Zero();
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vec3 a = corners[i] - corners[0], b = corners[(i + 1) % corners.size()] - corners[0];
+  double length = 0;
+  for (std::size_t i = 0; i < from_first.size(); ++i) {
+    const Vec3 &a = from_first[i], &b = from_first[(i + 1) % from_first.size()];
     area += a.cross(b) / 2;
-    hole.length += (b - a).norm();
+    length += (b - a).norm();
     moment += (b - a).norm() * (a + b) / 2;
   }
-  hole.area = area.norm();
-  hole.diameter = ball_diameter(corners);
-  const Vec3 centre = hole.length > 0 ? Vec3(corners[0] + moment / hole.length) : corners[0];
-  hole.centre = {centre.x(), centre.y(), centre.z()};
+  hole.length = length * unit;
+  hole.area = area.norm() * unit * unit;
+  hole.normal = point_of(area.stableNormalized());
+  hole.diameter = ball_diameter(from_first) * unit;
+  hole.centre = point_of(length > 0 ? Vec3(corners[0] + moment / length * unit) : corners[0]);
   return hole;
 }
 

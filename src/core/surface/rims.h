@@ -24,7 +24,7 @@ std::vector<Rim> find_rims(std::vector<RimEdge> edges);
 /// The boundary edges of a manifold. `twins`: its half_edge_twins().
 std::vector<RimEdge> rim_edges(const std::vector<Corners>& triangles, const std::vector<Index>& twins);
 
-/// What a hole with these corners measures, in their unit; not closed.
+/// What a hole with these corners measures, in their unit, wherever they are; not closed.
 Hole measure_rim(const std::vector<Vec3>& corners);
 
 }  // namespace filmsticking

@@ -15,7 +15,7 @@ namespace {
 // Clean models have 1 to 17, noise of 0.15 spacings 12 to 24, of 0.5 spacings 27 to 34.
 constexpr double kRough = 0.21;
 // Rounds of sums over neighbours.
-constexpr int kRounds = 2;
+constexpr int kPasses = 2;
 
 std::vector<Vec3> area_vectors(const Surface& surface) {
   std::vector<Vec3> sum(surface.positions.size(), Vec3::Zero());
@@ -43,7 +43,7 @@ std::vector<Vec3> vertex_normals(const Surface& surface, const Cancel& cancel) {
   std::vector<Vec3> near = surface_normals(numbered, std::vector<Vec3>(n, Vec3::Zero()));
   cancel();
   std::vector<Vec3> wide = area_vectors(surface);
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kPasses; ++round) {
     wide = with_neighbours(surface, wide);
     cancel();
   }

@@ -14,38 +14,39 @@ namespace {
 
 constexpr std::size_t kHeader = 227;    // bytes of versions 1.0 to 1.2
 constexpr std::size_t kHeader14 = 375;  // of 1.4
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+constexpr std::size_t kAbsent = static_cast<std::size_t>(-1);
 
 /// Where a point format has what; the first 20 or 30 bytes are the same within both kinds.
 struct PointFormat {
   std::size_t size, time, colours;
 };
-constexpr PointFormat kFormats[] = {{20, kNone, kNone}, {28, 20, kNone}, {26, kNone, 20}, {34, 20, 28},
-                                    {57, 20, kNone},    {63, 20, 28},    {30, 22, kNone}, {36, 22, 30},
-                                    {38, 22, 30},       {59, 22, kNone}, {67, 22, 30}};
+constexpr PointFormat kPointFormats[] = {{20, kAbsent, kAbsent}, {28, 20, kAbsent}, {26, kAbsent, 20},
+                                         {34, 20, 28},           {57, 20, kAbsent}, {63, 20, 28},
+                                         {30, 22, kAbsent},      {36, 22, 30},      {38, 22, 30},
+                                         {59, 22, kAbsent},      {67, 22, 30}};
 constexpr std::size_t kOldFormats = 6;
 
-struct Header {
+struct LasHeader {
   std::size_t format = 0, step = 0, begin = 0, points = 0;
   double scale[3] = {}, offset[3] = {};
 };
 
 [[noreturn]] void throw_short() { throw IoError("it ends before its LAS header says"); }
 
-Header parse_header(std::string_view bytes) {
+LasHeader parse_header(std::string_view bytes) {
   if (bytes.substr(0, 4) != "LASF") throw IoError("it is not a LAS file");
   if (bytes.size() < kHeader) throw_short();
   const char* const at = bytes.data();
   const int minor = load<std::uint8_t>(at + 25);
   if (load<std::uint8_t>(at + 24) != 1 || minor > 4) throw IoError("its LAS version is none of 1.0 to 1.4");
-  Header header;
+  LasHeader header;
   const auto format = load<std::uint8_t>(at + 104);
   if (format & 0xc0)
     throw IoError(
         "its points are compressed (LAZ); decompress it with 'laszip -i IN.laz -o OUT.las' or "
         "'pdal translate IN.laz OUT.las'");
   header.format = format;
-  if (header.format >= std::size(kFormats))
+  if (header.format >= std::size(kPointFormats))
     throw IoError("its LAS point format " + std::to_string(format) + " is none of 0 to 10");
   header.begin = load<std::uint32_t>(at + 96);
   header.step = load<std::uint16_t>(at + 105);
@@ -60,7 +61,7 @@ Header parse_header(std::string_view bytes) {
     if (!std::isfinite(header.scale[k]) || !std::isfinite(header.offset[k]) || header.scale[k] == 0)
       throw IoError("the scale or the offset in its LAS header is no number above zero");
   }
-  if (header.step < kFormats[header.format].size)
+  if (header.step < kPointFormats[header.format].size)
     throw IoError("its LAS points have " + std::to_string(header.step) +
                   " bytes, fewer than their format has");
   if (header.begin > bytes.size() || header.points > (bytes.size() - header.begin) / header.step)
@@ -90,7 +91,7 @@ class Axis {
 };
 
 struct Layout {
-  std::size_t rgb = kNone, time = kNone;
+  std::size_t rgb = kAbsent, time = kAbsent;
   static constexpr std::size_t kIntensity = 24, kClass = 26, kEnd = 27;
   std::size_t step = kEnd;
 };
@@ -101,12 +102,12 @@ pcl::PCLPointCloud2 make(const PointFormat& format, std::size_t points, Layout& 
       make_field("x", 0, Type::FLOAT64), make_field("y", 8, Type::FLOAT64),
       make_field("z", 16, Type::FLOAT64), make_field("intensity", Layout::kIntensity, Type::UINT16),
       make_field("classification", Layout::kClass, Type::UINT8)};
-  if (format.time != kNone) {
+  if (format.time != kAbsent) {
     layout.time = layout.step;
     fields.push_back(make_field("gps_time", layout.time, Type::FLOAT64));
     layout.step += sizeof(double);
   }
-  if (format.colours != kNone) {
+  if (format.colours != kAbsent) {
     layout.rgb = layout.step;
     fields.push_back(make_field("rgb", layout.rgb, Type::FLOAT32));
     layout.step += 4;
@@ -115,18 +116,18 @@ pcl::PCLPointCloud2 make(const PointFormat& format, std::size_t points, Layout& 
 }
 
 /// Colours have 16 bits; many writers put bytes there.
-bool has_wide_colours(const Header& header, const char* from) {
+bool has_wide_colours(const LasHeader& header, const char* from) {
   for (std::size_t i = 0; i < header.points; ++i, from += header.step)
     for (std::size_t k = 0; k < 6; k += 2)
-      if (load<std::uint16_t>(from + kFormats[header.format].colours + k) > 255) return true;
+      if (load<std::uint16_t>(from + kPointFormats[header.format].colours + k) > 255) return true;
   return false;
 }
 
 }  // namespace
 
 Cloud decode_las(std::string_view bytes) {
-  const Header header = parse_header(bytes);
-  const PointFormat& format = kFormats[header.format];
+  const LasHeader header = parse_header(bytes);
+  const PointFormat& format = kPointFormats[header.format];
   Layout layout;
   Cloud cloud;
   cloud.points = make(format, header.points, layout);
@@ -134,7 +135,7 @@ Cloud decode_las(std::string_view bytes) {
                         {header.scale[1], header.offset[1]},
                         {header.scale[2], header.offset[2]}};
   const char* from = bytes.data() + header.begin;
-  const bool wide = format.colours != kNone && has_wide_colours(header, from);
+  const bool wide = format.colours != kAbsent && has_wide_colours(header, from);
   std::uint8_t* to = cloud.points.data.data();
   for (std::size_t i = 0; i < header.points; ++i, from += header.step, to += layout.step) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -144,8 +145,8 @@ Cloud decode_las(std::string_view bytes) {
     std::memcpy(to + Layout::kIntensity, from + 12, 2);
     const bool old = header.format < kOldFormats;  // these have flags above the classification
     to[Layout::kClass] = old ? load<std::uint8_t>(from + 15) & 31 : load<std::uint8_t>(from + 16);
-    if (layout.time != kNone) std::memcpy(to + layout.time, from + format.time, sizeof(double));
-    if (layout.rgb == kNone) continue;
+    if (layout.time != kAbsent) std::memcpy(to + layout.time, from + format.time, sizeof(double));
+    if (layout.rgb == kAbsent) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const unsigned value = load<std::uint16_t>(from + format.colours + 2 * k);
       to[layout.rgb + 2 - k] = static_cast<std::uint8_t>(wide ? (value + 128) / 257 : value);

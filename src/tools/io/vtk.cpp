@@ -25,8 +25,6 @@
 namespace filmsticking::io {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n\v\f";
-
 [[noreturn]] void throw_vtk_short() { throw IoError("it is not a whole VTK file"); }
 
 std::string lower(std::string_view word) {
@@ -51,8 +49,8 @@ class VtkBody {
 
   /// Empty at the end of the file.
   std::string_view word() {
-    rest_.remove_prefix(std::min(rest_.find_first_not_of(kBlanks), rest_.size()));
-    const std::string_view word = rest_.substr(0, rest_.find_first_of(kBlanks));
+    rest_.remove_prefix(std::min(rest_.find_first_not_of(TextScanner::kBlanks), rest_.size()));
+    const std::string_view word = rest_.substr(0, rest_.find_first_of(TextScanner::kBlanks));
     rest_.remove_prefix(word.size());
     return word;
   }

@@ -34,7 +34,7 @@ std::string shown(std::string_view word) {
 }
 
 /// The names in a line that may be a header; a name with "[]" begins a list of any length.
-struct Names {
+struct ColumnNames {
   std::vector<std::string> names;
   bool list = false;
   bool x = false, y = false, z = false;
@@ -42,7 +42,7 @@ struct Names {
   bool complete() const { return x && y && z; }
 };
 
-Names names_of(std::string_view line, const TextStyle& style) {
+ColumnNames names_of(std::string_view line, const TextStyle& style) {
   char separator = style.separator;
   for (const char c : {',', ';', '\t'})
     if (separator == 0 && line.find(c) != std::string_view::npos) separator = c;
@@ -61,7 +61,7 @@ Names names_of(std::string_view line, const TextStyle& style) {
     for (std::string_view word = scanner.word(); !word.empty(); word = scanner.word())
       if (word[0] != '[' && word[0] != '(' && word != "#" && word != "//") take(word);  // no units
   }
-  Names found;
+  ColumnNames found;
   for (const std::string_view word : words) {
     found.list = word.find("[]") != std::string_view::npos;
     if (found.list) break;
@@ -113,7 +113,7 @@ class Survey {
     return first_count_ == follow ? first_line_ : 0;
   }
 
-  const Names& header() const { return header_; }
+  const ColumnNames& header() const { return header_; }
   bool has_header() const { return header_.complete(); }
   bool has_other_header() const { return other_header_; }
   bool counted() const { return counted_; }
@@ -128,7 +128,7 @@ class Survey {
 
  private:
   void consider(std::string_view line, bool comment) {
-    Names names = names_of(line, style_);
+    ColumnNames names = names_of(line, style_);
     if (names.complete()) {
       header_ = std::move(names);
       header_is_comment_ = comment;
@@ -279,7 +279,7 @@ class Survey {
   std::vector<double> values_;
   std::size_t bad_word_ = 0;
   TableFacts facts_;
-  Names header_;
+  ColumnNames header_;
   bool header_is_comment_ = false, other_header_ = false, degrees_ = false;
   std::string_view header_line_;
   std::size_t number_ = 0, first_line_ = 0, trailer_ = kNone;

@@ -15,14 +15,13 @@
 #include "io/files.h"
 #include "io/io_error.h"
 #include "page_files.h"
-#include "report/holes.h"
+#include "report/sides.h"
 
 namespace filmsticking::page {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using mesh_report::Frame;
-using mesh_report::Hole;
 using mesh_report::Side;
 using mesh_report::Surface;
 using mesh_report::Vec3;
@@ -102,22 +101,26 @@ Json facts_of(const std::vector<Hole>& holes, const Frame& frame) {
   Json facts = Json::array();
   for (std::size_t i = 0; i < std::min(holes.size(), kMostHoles); ++i) {
     const Hole& hole = holes[i];
-    facts.push_back({{"centre", list(frame.to_unit(hole.centre))},
-                     {"direction", list(hole.area_vector.stableNormalized())},
-                     {"edges", hole.vertices.size()},
+    facts.push_back({{"centre", list(frame.to_unit(Vec3(hole.centre.data())))},
+                     {"normal", hole.normal},
+                     {"edges", hole.edges},
                      {"length", hole.length},
                      {"diameter", hole.diameter},
-                     {"area", hole.area()}});
+                     {"area", hole.area}});
   }
   return facts;
 }
 
-/// The faces' mean direction if the mesh has a rim and so a front; else zero.
-Vec3 front(const Surface& mesh, bool closed) {
+/// The faces' mean direction if most look that way, as in a scan from one side; else zero.
+Vec3 front(const Surface& mesh) {
+  constexpr double kOneSided = 0.4;  // of the area; half a ball has 0.5
   Vec3 sum = Vec3::Zero();
-  if (!closed)
-    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) sum += mesh.area_vector2(f);
-  return sum.stableNormalized();
+  double area = 0;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    const Vec3 face = mesh.area_vector2(f);
+    sum += face, area += face.stableNorm();
+  }
+  return sum.stableNorm() > kOneSided * area ? sum.stableNormalized() : Vec3::Zero();
 }
 
 std::vector<std::int32_t> indices_of(const std::vector<char>& marked) {
@@ -143,11 +146,11 @@ class Data {
   void send(const io::ByteSink& sink) const {
     const Surface& mesh = contents_.mesh;
     const std::vector<Side> sides = mesh_report::sides_by_edge(mesh);
-    const std::vector<Hole> holes = mesh_report::holes(mesh, sides);
+    const std::vector<Hole>& holes = contents_.report.holes;
     Json facts = {{"side", frame_.side},
                   {"radius", frame_.side > 0 ? frame_.diagonal / 2 / frame_.side : 0.5},
                   {"middle", list(frame_.centre)},
-                  {"front", list(front(mesh, contents_.report.topology.closed))},
+                  {"front", list(front(mesh))},
                   {"hole_count", holes.size()},
                   {"holes", facts_of(holes, frame_)}};
     send_distances(sink, facts);

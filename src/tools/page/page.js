@@ -345,13 +345,32 @@
     choose(first, points);
   }
 
+  /** Is a face in the way from a place? */
+  function isHidden(place, direction) {
+    const ray = new THREE.Ray(place, direction), corners = [0, 1, 2].map(() => new THREE.Vector3());
+    const hit = new THREE.Vector3();
+    for (let f = 0; f < faces.length; f += 3) {
+      corners.forEach((corner, k) => corner.fromArray(positions, 3 * faces[f + k]));
+      if (ray.intersectTriangle(...corners, false, hit)) return true;
+    }
+    return false;
+  }
+
+  /** Where to look at a hole from: the front of a scan, else outside, also where the mesh is inside out. */
+  function sideOf(hole, centre) {
+    const out = new THREE.Vector3(...hole.normal), front = new THREE.Vector3(...facts.front);
+    if (out.length() < 0.5) return home();
+    const back = out.clone().negate();
+    if (front.length() > 0.5) return out.dot(front) < 0 ? back : out;
+    return isHidden(centre, out) && !isHidden(centre, back) ? back : out;
+  }
+
   function flyToHole(index, at_once) {
     const hole = facts.holes[index];
     if (!hole) return;
-    let out = new THREE.Vector3(...hole.direction);
-    if (out.length() < 0.5) out = home();
+    const centre = new THREE.Vector3(...hole.centre);
     // A hole fills a third of the view.
-    fly(new THREE.Vector3(...hole.centre), out, Math.max(1, 0.6 / Math.max(hole.diameter / facts.side, 1e-6)), at_once);
+    fly(centre, sideOf(hole, centre), Math.max(1, 0.6 / Math.max(hole.diameter / facts.side, 1e-6)), at_once);
     [...$('holes').querySelectorAll('tr')].forEach((row, i) => row.classList.toggle('at', i === index + 1));
   }
 

@@ -11,10 +11,10 @@
 namespace filmsticking::mesh_report {
 namespace {
 
-std::vector<filmsticking::Hole> holes_of(const Surface& mesh) {
+std::vector<Hole> holes_of(const Surface& mesh) {
   std::vector<Point> positions;
   for (const Vec3& p : mesh.positions) positions.push_back({p.x(), p.y(), p.z()});
-  std::vector<filmsticking::Hole> holes;
+  std::vector<Hole> holes;
   if (find_holes(positions, mesh.triangles, holes) != Status::Ok) throw std::bad_alloc();
   return holes;
 }

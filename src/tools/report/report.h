@@ -39,11 +39,11 @@ struct Report {
   std::int64_t vertices = 0, faces = 0;
   Topology topology;
   std::int64_t self_intersections = 0;
-  std::vector<char> meeting_faces;        ///< for each face whether it is in such a pair; not printed
-  double area = 0;                        ///< in the mesh's unit squared
-  std::optional<double> volume;           ///< in the mesh's unit cubed; only of a closed, oriented mesh
-  std::vector<Component> parts;           ///< the largest area first
-  std::vector<filmsticking::Hole> holes;  ///< loops of boundary edges, the widest first
+  std::vector<char> meeting_faces;  ///< for each face whether it is in such a pair; not printed
+  double area = 0;                  ///< in the mesh's unit squared
+  std::optional<double> volume;     ///< in the mesh's unit cubed; only of a closed, oriented mesh
+  std::vector<Component> parts;     ///< the largest area first
+  std::vector<Hole> holes;          ///< loops of boundary edges, the widest first
   std::optional<GroundFit> ground;
   bool outward = false;  ///< closed, oriented, and the volume is positive
   std::optional<CloudFit> cloud;

@@ -55,12 +55,12 @@ std::string intersections(std::int64_t pairs) {
   return count(pairs, "pair of faces", "pairs of faces");
 }
 
-void add_holes(Table& table, const std::vector<filmsticking::Hole>& holes) {
+void add_holes(Table& table, const std::vector<Hole>& holes) {
   constexpr std::size_t kShown = 10;
   if (holes.empty()) return;
   table.add("holes", std::to_string(holes.size()));
   for (std::size_t i = 0; i < std::min(holes.size(), kShown); ++i) {
-    const filmsticking::Hole& hole = holes[i];
+    const Hole& hole = holes[i];
     char text[200];
     std::snprintf(text, sizeof text, "diameter %.4g, length %.4g, area %.4g, around %.4g %.4g %.4g",
                   hole.diameter, hole.length, hole.area, hole.centre[0], hole.centre[1], hole.centre[2]);
@@ -126,13 +126,14 @@ Json or_null(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
 }
 
-Json hole_list(const std::vector<filmsticking::Hole>& holes) {
+Json hole_list(const std::vector<Hole>& holes) {
   Json list = Json::array();
-  for (const filmsticking::Hole& hole : holes)
+  for (const Hole& hole : holes)
     list.push_back({{"length", hole.length},
                     {"diameter", hole.diameter},
                     {"area", hole.area},
                     {"centre", hole.centre},
+                    {"normal", hole.normal},
                     {"edges", hole.edges}});
   return list;
 }

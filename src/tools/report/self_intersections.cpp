@@ -13,8 +13,8 @@
 namespace filmsticking::mesh_report {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point3 = Kernel::Point_3;
+using ExactKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point3 = ExactKernel::Point_3;
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
 
 /// Thrown to end the search.
@@ -59,9 +59,11 @@ class Faces {
 
  private:
   const Point3& point(const Triangle& t, std::ptrdiff_t k) const { return points_[t[k % 3]]; }
-  Kernel::Segment_3 side(const Triangle& t, std::ptrdiff_t k) const { return {point(t, k), point(t, k + 1)}; }
+  ExactKernel::Segment_3 side(const Triangle& t, std::ptrdiff_t k) const {
+    return {point(t, k), point(t, k + 1)};
+  }
   bool flat(const Triangle& t) const { return CGAL::collinear(point(t, 0), point(t, 1), point(t, 2)); }
-  Kernel::Triangle_3 triangle(std::size_t f) const {
+  ExactKernel::Triangle_3 triangle(std::size_t f) const {
     const Triangle& t = triangles_[f];
     return {point(t, 0), point(t, 1), point(t, 2)};
   }
