@@ -12,7 +12,7 @@
 namespace filmsticking {
 namespace {
 
-constexpr std::size_t kFewest = 16;
+constexpr std::size_t kFewestPlaces = 16;
 // Height over width of a box, above which the heights may have another unit. Terrain is flatter.
 constexpr double kHigh = 10;
 // Median slope between neighbours on the map, above which they have: 72 degrees.
@@ -20,15 +20,15 @@ constexpr double kSteep = 3;
 // Median slope that they get: that of steep terrain.
 constexpr double kUsualSlope = 0.5;
 // Points that are looked at, evenly from all, and neighbours of each.
-constexpr std::size_t kLookedAt = 1000, kNear = 6;
+constexpr std::size_t kPlacesLookedAt = 1000, kNearPlaces = 6;
 
 double median_slope(const std::vector<Vec3>& map, const std::vector<double>& height) {
   const PointTree tree(map);
-  const std::size_t step = (map.size() + kLookedAt - 1) / kLookedAt;
+  const std::size_t step = (map.size() + kPlacesLookedAt - 1) / kPlacesLookedAt;
   std::vector<double> slope((map.size() + step - 1) / step);
   parallel_each(slope.size(), [&](std::size_t i) {
     double run = 0, rise = 0;
-    for (const Index other : tree.nearest(map[i * step], kNear + 1)) {
+    for (const Index other : tree.nearest(map[i * step], kNearPlaces + 1)) {
       run += (map[other] - map[i * step]).norm();
       rise += std::abs(height[other] - height[i * step]);
     }
@@ -53,7 +53,7 @@ std::vector<Point> in_even_units(const PointsView& points, const Vec3& direction
   each_finite([&](const Vec3& place, double h) {
     ++finite, wide.extend(place), high.extend(Eigen::Matrix<double, 1, 1>(h));
   });
-  if (finite < kFewest || !(high.sizes()[0] > kHigh * wide.diagonal().norm())) return {};
+  if (finite < kFewestPlaces || !(high.sizes()[0] > kHigh * wide.diagonal().norm())) return {};
 
   std::vector<Vec3> map;
   std::vector<double> height;

@@ -75,9 +75,10 @@ std::size_t mark_missing_heights(pcl::PCLPointCloud2& cloud) {
     }
   }
   if (missing.empty() || !(least - highest_missing > most - least)) return 0;
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
   for (const std::size_t i : missing)
-    fields.store({kNone, kNone, kNone}, cloud.data.data() + (bytes_of(cloud, i) - cloud.data.data()));
+    fields.store({kNotANumber, kNotANumber, kNotANumber},
+                 cloud.data.data() + (bytes_of(cloud, i) - cloud.data.data()));
   return missing.size();
 }
 

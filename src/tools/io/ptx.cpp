@@ -69,11 +69,11 @@ class PtxFile {
   /// Calls use(const Return&) for each point.
   template <class Use>
   void points(const Scan& scan, const Use& use) {
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t i = 0; i < scan.points(); ++i) {
       numbers(point_line());
       Return point{{values_[0], values_[1], values_[2]}};
-      if (point.place == Point{}) point.place = {kNone, kNone, kNone}, ++without_return_;
+      if (point.place == Point{}) point.place = {kNotANumber, kNotANumber, kNotANumber}, ++without_return_;
       if (values_.size() > 3) point.intensity = to_float(values_[3]);
       if (scan.coloured) point.colour = colour();
       use(point);
