@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/formats.h"
@@ -189,6 +190,17 @@ TEST_F(Page, ShowsDistancesToTruthAndPointsAsColoursAndHistogram) {
   }
   EXPECT_GT(picture("colours=point_distances&view=90,0").far, 0.001);
   EXPECT_NE(document("colours=truth_distances").find("<rect"), std::string::npos);
+}
+
+TEST_F(Page, LooksAtAHoleFromOutsideAlsoWhereTheMeshIsInsideOut) {
+  Model mesh = ball(true);
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  report(write("inside_out.ply", mesh));
+  // Outside shows backs around the hole, and through it the fronts of the far side.
+  const Shown there = picture("hole=1");
+  EXPECT_GT(there.back, 0.2);
+  EXPECT_LT(there.front, 0.2);
+  EXPECT_GT(there.front, 0.02);
 }
 
 TEST_F(Page, FliesToAHoleThatIsClicked) {
