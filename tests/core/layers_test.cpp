@@ -203,13 +203,13 @@ TEST(Includes, ASourceWithoutATestIsSeen) {
 std::set<std::string> names_of(const std::string& text) {
   std::set<std::string> names;
   const std::regex constant("\\b(k[A-Z]\\w*)(?:\\[\\w*\\])* *[={]");
-  const std::regex type("^(?:using|struct|class|enum|enum class) (\\w+) *(?:=|:|\\{)");
+  const std::regex type("^(?:using (\\w+) *=|(?:struct|class|enum|enum class) (\\w+)(?: :[^:].*| *\\{))");
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     const bool constants = line.rfind("constexpr ", 0) == 0 || line.rfind("const ", 0) == 0;
     const std::regex& name = constants ? constant : type;
     for (std::sregex_iterator found(line.begin(), line.end(), name), end; found != end; ++found)
-      names.insert((*found)[1]);
+      names.insert((*found)[1].matched ? (*found)[1] : (*found)[2]);
   }
   return names;
 }
@@ -239,7 +239,9 @@ TEST(Names, ANameTwiceIsSeen) {
   Sources sources = {
       {"src/tools/io/a.cpp", "namespace {\nconstexpr double kNear = 1, kFar[2] = {2, 3};\n}\n"},
       {"src/tools/io/b.cpp", "void f() {\n  constexpr double kFar = 1;\n}\n"},
-      {"src/tools/scene/c.cpp", "constexpr int kFar = 1;\n"}};
+      {"src/tools/scene/c.cpp", "constexpr int kFar = 1;\n"},
+      {"src/tools/io/f.cpp", "using other::Far;\n"},
+      {"src/tools/io/g.cpp", "using other::Far;\n"}};
   EXPECT_TRUE(names_twice(sources).empty());
   sources["src/tools/io/d.cpp"] = "constexpr std::size_t kFar = 2;\nusing Near = int;\n";
   EXPECT_EQ(names_twice(sources).size(), 1U);

@@ -12,7 +12,7 @@
 namespace filmsticking::io {
 namespace {
 
-constexpr std::size_t kHeader = 227;    // bytes of versions 1.0 to 1.2
+constexpr std::size_t kHeader12 = 227;  // bytes of versions 1.0 to 1.2
 constexpr std::size_t kHeader14 = 375;  // of 1.4
 constexpr std::size_t kAbsent = static_cast<std::size_t>(-1);
 
@@ -35,7 +35,7 @@ struct LasHeader {
 
 LasHeader parse_header(std::string_view bytes) {
   if (bytes.substr(0, 4) != "LASF") throw IoError("it is not a LAS file");
-  if (bytes.size() < kHeader) throw_short();
+  if (bytes.size() < kHeader12) throw_short();
   const char* const at = bytes.data();
   const int minor = load<std::uint8_t>(at + 25);
   if (load<std::uint8_t>(at + 24) != 1 || minor > 4) throw IoError("its LAS version is none of 1.0 to 1.4");

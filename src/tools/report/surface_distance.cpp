@@ -13,15 +13,15 @@
 namespace filmsticking::mesh_report {
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+using TreeKernel = CGAL::Simple_cartesian<double>;
+using Triangles = std::vector<TreeKernel::Triangle_3>;
+using Primitive = CGAL::AABB_triangle_primitive<TreeKernel, Triangles::const_iterator>;
 
-Kernel::Point_3 cgal_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+TreeKernel::Point_3 cgal_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
 /// A face on one line becomes its longest side, there and back: of three distinct corners on a line CGAL 5.5
 /// takes any two.
-Kernel::Triangle_3 cgal_triangle(const Surface& surface, std::size_t f) {
+TreeKernel::Triangle_3 cgal_triangle(const Surface& surface, std::size_t f) {
   constexpr double kOnOneLine = 1e-14;  // height over length
   int longest = 0;
   double length2 = 0;
@@ -29,9 +29,9 @@ Kernel::Triangle_3 cgal_triangle(const Surface& surface, std::size_t f) {
     const double side2 = (surface.corner(f, (k + 1) % 3) - surface.corner(f, k)).squaredNorm();
     if (side2 > length2) longest = k, length2 = side2;
   }
-  const Kernel::Point_3 a = cgal_point(surface.corner(f, longest)),
-                        b = cgal_point(surface.corner(f, (longest + 1) % 3)),
-                        c = cgal_point(surface.corner(f, (longest + 2) % 3));
+  const TreeKernel::Point_3 a = cgal_point(surface.corner(f, longest)),
+                            b = cgal_point(surface.corner(f, (longest + 1) % 3)),
+                            c = cgal_point(surface.corner(f, (longest + 2) % 3));
   const bool on_one_line = surface.area_vector2(f).norm() <= kOnOneLine * length2;
   return {a, b, on_one_line ? a : c};
 }
@@ -40,7 +40,7 @@ Kernel::Triangle_3 cgal_triangle(const Surface& surface, std::size_t f) {
 
 struct SurfaceDistance::Tree {
   Triangles triangles;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> boxes;
+  CGAL::AABB_tree<CGAL::AABB_traits<TreeKernel, Primitive>> boxes;
 };
 
 SurfaceDistance::SurfaceDistance(const Surface& surface) : tree_(new Tree) {
@@ -59,7 +59,7 @@ std::vector<Nearest> SurfaceDistance::from(const std::vector<Vec3>& points) cons
   std::vector<Nearest> nearest(points.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 256), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      const Kernel::Point_3 p = cgal_point(points[i]);
+      const TreeKernel::Point_3 p = cgal_point(points[i]);
       const auto hit = tree_->boxes.closest_point_and_primitive(p);
       nearest[i] = {std::sqrt(CGAL::squared_distance(p, hit.first)),
                     static_cast<std::size_t>(hit.second - tree_->triangles.cbegin())};
