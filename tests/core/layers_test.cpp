@@ -199,13 +199,23 @@ TEST(Includes, ASourceWithoutATestIsSeen) {
       std::set<std::string>{"src/core/b"});
 }
 
-// Constants and types declared where a line begins: of a whole file.
+// A function of a file's own that begins a line, with the types of its parameters; else nothing.
+std::string function_of(const std::string& line) {
+  static const std::regex function("^\\w[\\w:<>,&* ]*[ &*](\\w+)\\(([^()]*)\\) \\{$"),
+      parameter(" +\\w+(?=,|$)");
+  std::smatch found;
+  if (!std::regex_match(line, found, function)) return {};
+  return found[1].str() + '(' + std::regex_replace(found[2].str(), parameter, "") + ')';
+}
+
+// Constants, types and functions declared where a line begins: of a whole file.
 std::set<std::string> names_of(const std::string& text) {
   std::set<std::string> names;
   const std::regex constant("\\b(k[A-Z]\\w*)(?:\\[\\w*\\])* *[={]");
   const std::regex type("^(?:using (\\w+) *=|(?:struct|class|enum|enum class) (\\w+)(?: :[^:].*| *\\{))");
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
+    if (const std::string function = function_of(line); !function.empty()) names.insert(function);
     const bool constants = line.rfind("constexpr ", 0) == 0 || line.rfind("const ", 0) == 0;
     const std::regex& name = constants ? constant : type;
     for (std::sregex_iterator found(line.begin(), line.end(), name), end; found != end; ++found)
@@ -247,6 +257,11 @@ TEST(Names, ANameTwiceIsSeen) {
   EXPECT_EQ(names_twice(sources).size(), 1U);
   sources["src/tools/io/e.cpp"] = "struct Near {\n};\n";
   EXPECT_EQ(names_twice(sources).size(), 2U);
+  sources["src/tools/io/f.cpp"] += "bool is_near(const Point& p) {\n  return true;\n}\n";
+  sources["src/tools/io/g.cpp"] += "bool is_near(double x) {\n  return true;\n}\n";
+  EXPECT_EQ(names_twice(sources).size(), 2U);
+  sources["src/tools/io/h.cpp"] = "static bool is_near(const Point& at) {\n  return true;\n}\n";
+  EXPECT_EQ(names_twice(sources).size(), 3U);
 }
 
 }  // namespace

@@ -18,10 +18,6 @@ namespace {
 constexpr const char* kAxes[3] = {"x", "y", "z"};
 constexpr const char* kViewpointAxes[3] = {"vp_x", "vp_y", "vp_z"};
 
-bool is_finite(const Point& p) {
-  return std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });
-}
-
 /// Whether rounding keeps decimals: where all are whole multiples of 0.1, 0.01 and so on to 0.0001, the
 /// rounded ones have the same digits.
 bool keeps_digits(const std::vector<Point>& points) {
@@ -68,6 +64,10 @@ bool float_exact(const Point& p) {
 }
 
 }  // namespace
+
+bool is_finite(const Point& p) {
+  return std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });
+}
 
 float to_float(double x) {
   constexpr double kMost = std::numeric_limits<float>::max();

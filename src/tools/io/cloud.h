@@ -30,6 +30,9 @@ struct Cloud {
   std::vector<std::string> notes = {};  ///< how the file was read, where that is not plain: sentences
 };
 
+/// Whether all three coordinates are.
+bool is_finite(const Point& p);
+
 /// The float next to x; the largest for what is beyond, but finite.
 float to_float(double x);
 

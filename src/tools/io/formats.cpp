@@ -26,13 +26,6 @@ bool is_binary_stl(std::string_view bytes) {
          bytes.size() == kHeader + 4 + kTriangle * std::size_t{load<std::uint32_t>(bytes.data() + kHeader)};
 }
 
-std::string lower(std::string_view word) {
-  std::string text(word);
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
 bool is_off(std::string_view word) {
   return word.size() >= 3 && word.size() <= 6 && word.substr(word.size() - 3) == "OFF" &&
          word.find_first_not_of("STCN4nOF") == std::string_view::npos;

@@ -9,16 +9,7 @@
 #include "text_table.h"
 
 namespace filmsticking::io {
-namespace {
-
-std::string lower(std::string_view word) {
-  std::string text(word);
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Cloud decode_grid(std::string_view bytes) {
   std::string buffer;

@@ -15,10 +15,6 @@ constexpr double kAbsurd = 1e4, kCore = 2.0 / 3;
 
 constexpr double kMissing[] = {-9999, -99999, -999999, -32768, -32767, -9999.9, -999, -9999999};
 
-bool is_finite(const Point& p) {
-  return std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });
-}
-
 bool is_missing(double z) {
   constexpr double kHighest = -999;
   return z <= kHighest && std::find(std::begin(kMissing), std::end(kMissing), z) != std::end(kMissing);

@@ -122,13 +122,6 @@ Shape decode_binary(std::string_view bytes) {
   return shape;
 }
 
-std::string lower(std::string_view word) {
-  std::string text(word);
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
 class TextFile {
  public:
   explicit TextFile(std::string_view bytes)

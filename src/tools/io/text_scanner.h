@@ -8,6 +8,14 @@
 
 namespace filmsticking::io {
 
+/// Latin letters of a word in lower case.
+inline std::string lower(std::string_view word) {
+  std::string text(word);
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
 /// Takes words and numbers from the front of a text.
 class TextScanner {
  public:

@@ -27,13 +27,6 @@ namespace {
 
 [[noreturn]] void throw_vtk_short() { throw IoError("it is not a whole VTK file"); }
 
-std::string lower(std::string_view word) {
-  std::string text(word);
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
 /// The words and numbers of a file, one after the other.
 class VtkBody {
  public:
